@@ -118,7 +118,7 @@ class Smooth:
         self.solve()
 
     def lead_kernel(self, k):
-        """Displacement by a pressure that varies as cos(k y) along the lead: K0 in place of the logarithm."""
+        """Displacement by a pressure that varies as cos(k y) along the lead: K0 instead of the logarithm."""
         d = np.arange(len(self.x)) * self.dx
         nodes, weights = np.polynomial.legendre.leggauss(8)
         primitive = lambda s: np.where(s == 0, 0, s * (np.log(np.abs(np.where(s == 0, 1, s))) - 1))

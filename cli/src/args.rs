@@ -246,7 +246,7 @@ pub struct RunArgs {
     /// Write all points of the load map into the result folder, as map.csv
     #[arg(long, conflicts_with = "no_output")]
     pub load_map: bool,
-    /// Also print the published friction laws, each in place of the model
+    /// Also print the published friction laws, each instead of the model
     #[arg(long)]
     pub laws: bool,
     /// Also print the loss over the boundary share that is drawn, and by other models with the evidence against them

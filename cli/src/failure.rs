@@ -43,7 +43,7 @@ impl Failure {
         Fault::new(code, message).into()
     }
 
-    /// Sets specific advice, in place of the general advice of the code.
+    /// Sets specific advice, instead of the general advice of the code.
     pub fn advising(mut self, advice: impl Into<Cow<'static, str>>) -> Self {
         self.fault = self.fault.helping(advice);
         self

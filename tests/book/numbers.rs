@@ -206,7 +206,7 @@ const SOURCES: &[[&str; 4]] = &[
     ],
     [
         "docs/TUTORIAL.md",
-        "16384 draws",
+        "16384 samples",
         "crates/uncertainty/src/draw.rs",
         "const DRAWS: usize = 16_384;",
     ],

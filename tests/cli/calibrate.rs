@@ -384,7 +384,7 @@ fn a_design_stays_within_the_rig_and_holds_what_the_rig_cannot_identify() {
     assert_eq!(largest(&design["points"]), [120.0, 6000.0]);
     let text = said.unwrapped();
     for part in [
-        "W436 the boundary layer is held",
+        "W436 the boundary layer is fixed",
         "Lambda* from",
         "largest torque and speed",
     ] {

@@ -71,7 +71,7 @@ fn a_bow_after_the_test_is_undecided_until_the_form_is_stated() {
         |more: &[&str]| bench.run(&[&["profile", "change"], more, &["--no-output"]].concat());
     let said = change(&["pinion.csv", "bowed.csv"]).well().unwrapped();
     assert!(
-        said.contains("Undecided: ") && said.contains("state form = poly2"),
+        said.contains("Inconclusive: ") && said.contains("state form = poly2"),
         "{said}"
     );
     assert!(!said.contains("Nothing was removed"), "{said}");

@@ -41,7 +41,7 @@ const NOT_PROVOKED: &[(&str, &str)] = &[
     ),
     (
         "W440",
-        "the draws interpolate every shipped case to .5 % of its loss",
+        "the samples interpolate every shipped case to .5 % of its loss",
     ),
 ];
 

@@ -385,7 +385,7 @@ fn what_cannot_be_solved_is_refused_with_its_reason() {
     let bench = bench();
     let of = |options: &[&str]| bench.run(&[&["ehl", "case.toml"], options].concat());
     of(&["--cells", "100"]).refused(2, "E209", &["100 cells", "multiple of 64"]);
-    of(&["--half-widths", "0.5"]).refused(2, "E209", &["length of the record"]);
+    of(&["--half-widths", "0.5"]).refused(2, "E209", &["travel of the solution"]);
     // An Eyring stress of a pascal leaves no oil that a time step could be solved with.
     let short = ["--cells", "64", "--half-widths", "1", "--start", "0"];
     let thin = ["--position", "0.25", "--eyring-stress", "1 Pa"];
@@ -407,7 +407,7 @@ fn a_record_too_short_for_a_standard_error_says_so() {
     ];
     let said = bench.run(&short).well().out;
     assert!(
-        said.contains("record too short for a standard error"),
+        said.contains("solution too short for a standard error"),
         "{said}"
     );
     assert!(!said.contains("NaN"), "{said}");

@@ -1,4 +1,4 @@
-//! Devices, pipes, folders and unreadable files in place of a file: every argument of every command that is a path, and
+//! Devices, pipes, folders and unreadable files instead of a file: every argument of every command that is a path, and
 //! every file that a case, a study, a map or a result names, is refused within a second, with a code.
 
 use std::collections::BTreeSet;

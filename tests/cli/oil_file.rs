@@ -205,7 +205,7 @@ fn an_oil_file_is_used_beyond_its_curves_with_a_warning_and_a_larger_error() {
         (sd, warned(&found, "W443"))
     });
     let [(within, silent), (beyond, said)] = widths;
-    assert!(!silent.contains("°C") && said.contains("measured at 40 to 60 °C, the flanks are at 90 °C: the film friction is drawn with an error of 8 %"), "{said}");
+    assert!(!silent.contains("°C") && said.contains("measured at 40 to 60 °C, the flanks are at 90 °C: the film friction is sampled with an error of 8 %"), "{said}");
     // 2 % and, 30 K beyond, 7.8 % of the film friction.
     assert!(
         (beyond / within / 3.88 - 1.0).abs() < 0.05,
@@ -217,7 +217,7 @@ fn an_oil_file_is_used_beyond_its_curves_with_a_warning_and_a_larger_error() {
     );
     let said = warned(&result(&bench, &case("", "")), "W443");
     assert!(
-        said.contains("residuals are 1.5 times the stated errors: the film friction is drawn with an error of 12 %"),
+        said.contains("residuals are 1.5 times the stated errors: the film friction is sampled with an error of 12 %"),
         "{said}"
     );
     assert!(said.contains("do not decide the law of pressure"), "{said}");

@@ -285,7 +285,7 @@ fn the_mean_of_an_isotropic_surface_is_refused_for_its_rows() {
         "E141",
         &[
             "isotropic.csv: the mean of the surface has Rq ",
-            "Write rows = 8 in surface.pinion in place of line",
+            "Write rows = 8 in surface.pinion instead of line",
         ],
     );
     check("file = \"isotropic.csv\", rows = 8").well();

@@ -305,7 +305,7 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
         false => &result["uncertainty"]["loss"],
     };
     if is_drawn {
-        is(of(drawn, "median_w"), loss, "median of the draws");
+        is(of(drawn, "median_w"), loss, "median of the samples");
     }
     let power = of(summary, "power_in_w");
     is(

@@ -166,7 +166,7 @@ fn studies_run_on_all_pairs() {
         (mapped / expected - 1.0).abs() < 1e-9,
         "{mapped} {expected}"
     );
-    // A finish has one trace for each flank, in place of several.
+    // A finish has one trace for each flank, instead of several.
     let compared = bench
         .run(&[
             "compare",

@@ -314,7 +314,7 @@ fn every_variant_has_its_row_and_its_verdict_on_the_first_screen() {
         let mut rows = screen.lines();
         let row = rows.find(|line| line.starts_with(&format!("{name}  ")));
         let row = row.unwrap_or_else(|| panic!("{name}: {screen}"));
-        let verdicts = ["holds", "undecided", "exceptions", "no change"];
+        let verdicts = ["holds", "inconclusive", "exceptions", "no change"];
         assert!(
             verdicts.iter().any(|verdict| row.contains(verdict)),
             "{screen}"

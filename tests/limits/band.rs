@@ -205,9 +205,7 @@ fn a_lay_beyond_the_records_is_named_and_reaches_down_to_a_confirmed_lay() {
     let far_part = |result: &RunResult| {
         let parts = &result.uncertainty.as_ref().unwrap().loss.parts;
         let mut parts = parts.iter();
-        parts
-            .find(|part| part.name == "lay beyond the records")
-            .cloned()
+        parts.find(|part| part.name == "lay above 1/3").cloned()
     };
     let recorded = found(&with("0.33"));
     assert!(!is_far(&recorded.warnings) && far_part(&recorded).is_none());

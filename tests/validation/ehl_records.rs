@@ -72,13 +72,13 @@ impl Record {
         (high - low <= UNDEFINED).then_some(0.5 * (low + high))
     }
 
-    /// ln of a gap of the fast model over the record's.
+    /// ln of a gap of the model over the record's.
     pub fn gap_error(&self, gap_um: f64) -> f64 {
         (gap_um / (GAP_OF_THE_MIDDLE * self.gap_um)).ln()
     }
 }
 
-/// Share, gap and friction of the fast model, means over the windows, and standard error of the share.
+/// Share, gap and friction of the model, means over the windows, and standard error of the share.
 #[derive(Clone, Copy)]
 struct Fast {
     share: Estimate,
@@ -86,10 +86,10 @@ struct Fast {
     friction: f64,
 }
 
-/// A record and the fast model over windows of the same traces.
+/// A record and the model over windows of the same traces.
 struct Compared {
     record: Record,
-    /// The fast model as in a run: Ψ from both whole traces.
+    /// The model as in a run: Ψ from both whole traces.
     fast: Fast,
     /// With Ψ from each window.
     of_windows: Fast,
@@ -138,7 +138,7 @@ pub fn records(table: &str) -> BTreeMap<String, Record> {
     rows.collect()
 }
 
-/// The records of the gear meshes beside the fast model over the windows of `asperity ehl --compare`.
+/// The records of the gear meshes beside the model over the windows of `asperity ehl --compare`.
 fn gear_meshes() -> &'static [Compared] {
     static ROWS: OnceLock<Vec<Compared>> = OnceLock::new();
     ROWS.get_or_init(|| {
@@ -277,7 +277,7 @@ impl Windows {
         share_settings(&self.loaded, &self.contact).unwrap()
     }
 
-    /// The fast model in every window with the constants of the records and no thermal reduction of the film, with Ψ in the length
+    /// The model in every window with the constants of the records and no thermal reduction of the film, with Ψ in the length
     /// of the inlet from both whole traces or from each window.
     pub fn solutions(
         &self,
@@ -353,7 +353,7 @@ impl Fast {
 /// Steps by Steffensen of Ψ of one window.
 const WINDOW_ITERATIONS: usize = 2;
 
-/// Mean and root mean square of the fast model minus the records: share (of those that have one), ln gap, ln friction.
+/// Mean and root mean square of the model minus the records: share (of those that have one), ln gap, ln friction.
 fn statistics<'a>(rows: impl Iterator<Item = (&'a Compared, &'a Fast)> + Clone) -> [[f64; 2]; 3] {
     let share = |(row, fast): (&Compared, &Fast)| Some(fast.share.value - row.record.share()?);
     [
@@ -373,7 +373,7 @@ pub fn mean_and_rms(values: impl Iterator<Item = f64>) -> [f64; 2] {
     [values.iter().sum::<f64>() / n, (squares / n).sqrt()]
 }
 
-/// Mean and root mean square of the fast model minus the records of the gear meshes.
+/// Mean and root mean square of the model minus the records of the gear meshes.
 pub fn law_table() -> String {
     let mut text = String::from("| Ψ of | records | φ | ln gap | ln μ |\n|---|---|---|---|---|\n");
     type Of = fn(&Compared) -> &Fast;

@@ -26,12 +26,12 @@ use crate::ehl_records::{Record, Windows, mean_and_rms, records};
 
 /// Windows that the parts are averaged over.
 const WINDOWS: usize = 64;
-/// Windows on the travel of a record, a half-width.
+/// Windows on the travel of a reference solution, a half-width.
 const PASSED_WINDOWS: f64 = 4.0;
 /// Half-widths of travel between windows that know nothing of each other, about.
 const TRAVEL_OF_A_WINDOW: f64 = 14.0 / 12.0;
 /// Conditions with the means of another program over the same windows: friction, asperity share, the boundary layer's part of the
-/// friction, gap in µm. Its film has other nodes, and its inner spots are sheared at the film of half the sliding speed.
+/// friction, gap in µm. Its film has other nodes, and its asperity contacts formed inside the contact are sheared at the film of half the sliding speed.
 const OF_ANOTHER_PROGRAM: [(&str, [f64; 4]); 12] = [
     ("e-ground_90_0.1", [0.03028, 0.2879, 0.01656, 0.4955]),
     ("e-ground_120_0.5", [0.02005, 0.2917, 0.01204, 0.4992]),
@@ -47,7 +47,7 @@ const OF_ANOTHER_PROGRAM: [(&str, [f64; 4]); 12] = [
     ("fzg-fine_90_0.6_1.5", [0.03877, 0.1245, 0.007632, 0.2282]),
 ];
 
-/// A formulation of the fast model, of which `make` makes the settings.
+/// A formulation of the model, of which `make` makes the settings.
 struct Model {
     name: &'static str,
     make: fn(LoadShareSettings) -> LoadShareSettings,
@@ -278,7 +278,7 @@ fn stored() -> &'static (String, Stored) {
     })
 }
 
-/// A record beside the fast model.
+/// A record beside the model.
 pub struct Row {
     pub name: String,
     /// Travel of the record \[half-widths\].
@@ -296,7 +296,7 @@ impl Row {
         self.by(DEFAULT)
     }
 
-    /// Film, roughness, pressure and friction of the fast model.
+    /// Film, roughness, pressure and friction of the model.
     pub fn conditions(&self) -> [f64; 4] {
         let fast = self.fast();
         let roughness = fast.roughness_over_film * fast.smooth_film_um;
@@ -304,7 +304,7 @@ impl Row {
         [film, roughness, pressure, fast.friction]
     }
 
-    /// ln of the fast model's friction over the record's.
+    /// ln of the model's friction over the record's.
     fn error_by(&self, model: &str) -> f64 {
         (self.by(model).friction / self.record.friction).ln()
     }
@@ -313,12 +313,12 @@ impl Row {
         self.error_by(DEFAULT)
     }
 
-    /// ln of the fast model's friction over the record's, both by the film alone.
+    /// ln of the model's friction over the record's, both by the film alone.
     fn film_error(&self, model: &str) -> f64 {
         (self.by(model).friction / self.record.film_friction).ln()
     }
 
-    /// ln of the fast model's friction over the record's, in the windows that the record passes.
+    /// ln of the model's friction over the record's, in the windows that the record passes.
     pub fn passed_error(&self) -> f64 {
         self.error_by(PASSED)
     }
@@ -327,7 +327,7 @@ impl Row {
         self.fast().roughness_over_film < LARGEST_ROUGHNESS
     }
 
-    /// Friction that the boundary layer adds to the film's: of the record, of the fast model.
+    /// Friction that the boundary layer adds to the film's: of the record, of the model.
     fn boundary(&self) -> [f64; 2] {
         [
             self.record.friction - self.record.film_friction,
@@ -416,7 +416,7 @@ fn correlation(pairs: &[[f64; 2]]) -> f64 {
     products.sum::<f64>() / (pairs.len() as f64 - 1.0) / (x_sd * y_sd)
 }
 
-/// Sum over the records below a ratio of 3 that the boundary layer adds more than `LEAST_BOUNDARY` to, fast model over record, with
+/// Sum over the records below a ratio of 3 that the boundary layer adds more than `LEAST_BOUNDARY` to, model over record, with
 /// their number and the standard deviation of the ratio of one.
 fn boundary_sum() -> (usize, f64, f64) {
     let rows = chosen_on();
@@ -435,7 +435,7 @@ fn boundary_sum() -> (usize, f64, f64) {
 /// Part of the friction above which the boundary layer's part of a record is compared.
 const LEAST_BOUNDARY: f64 = 0.15;
 
-/// Formulations of the fast model against the 93 records.
+/// Formulations of the model against the 93 records.
 pub fn model_table() -> String {
     let all = chosen_on();
     let blind = rows(BLIND);
@@ -450,10 +450,13 @@ pub fn model_table() -> String {
         (DEFAULT, "**default**"),
         ("inner 0.6", "default, β_i 0.6"),
         ("inner 0.9", "default, β_i 0.9"),
-        ("inlet spots", "default, spots with the film of the inlet"),
+        (
+            "inlet spots",
+            "default, asperity contacts with the film of the inlet",
+        ),
         (
             "half-sliding spots",
-            "default, spots with the film of half the sliding speed",
+            "default, asperity contacts with the film of half the sliding speed",
         ),
     ] {
         let compared = all.iter().filter(is_compared);
@@ -670,7 +673,7 @@ pub fn short_wave_table() -> String {
     text
 }
 
-/// Rises in per cent of friction, load below 20 nm and gap of the record, and of the fast model's friction.
+/// Rises in per cent of friction, load below 20 nm and gap of the record, and of the model's friction.
 fn risen(row: &Row, base: &Row) -> [f64; 4] {
     let of = |row: &Row| {
         let record = &row.record;

@@ -172,7 +172,7 @@ pub struct ProfileGenerateArgs {
         conflicts_with = "state"
     )]
     pub stages: Vec<f64>,
-    /// Engagements of a tooth after which the flank is made, in place of --state [default: at the last stage]
+    /// Engagements of a tooth after which the flank is made, instead of --state [default: at the last stage]
     #[arg(long, value_name = "NUMBER", requires = "stages")]
     pub engagements: Option<f64>,
     /// File to write; its extension (csv, x3p, smd) chooses the format

@@ -124,7 +124,7 @@ impl Given for Finishes {
     }
 }
 
-/// A case, and finishes in place of its own traces.
+/// A case, and finishes instead of its own traces.
 #[derive(Debug, Args)]
 pub struct GivenCaseOrFinishes {
     /// Case file; - reads standard input

@@ -17,7 +17,7 @@ use crate::output::{besides_file, is_standard_output, print, save_new, shown};
 /// A question: its text, what an empty answer means, and the lines of the case for an answer.
 struct Question {
     text: &'static str,
-    /// Answer in place of an empty one; `None` if the question has to be answered.
+    /// Answer instead of an empty one; `None` if the question has to be answered.
     default: Option<&'static str>,
     lines: fn(&str) -> Result<String, String>,
 }
@@ -114,7 +114,8 @@ pub fn new_case(output: &Path, common: &Common) -> Result<(), Failure> {
         return Err(Failure::new(Code::E401, text));
     }
     let mut input = std::io::stdin().lock();
-    let mut case = "# A case made by asperity new. docs/CASE_FILE.md lists all keys.\n".to_owned();
+    let mut case =
+        "# A case written by asperity new. docs/CASE_FILE.md lists all keys.\n".to_owned();
     for (number, (table, question)) in QUESTIONS.iter().enumerate() {
         case += table;
         case += &asked(number + 1, question, &mut input)?;

@@ -144,7 +144,7 @@ fn curves(
     plan: &CurvePlan<'_>,
 ) -> Result<Vec<PlannedCurves>, String> {
     if matches!(case.case.share_law(), ShareLaw::Reference) {
-        let why = "other constants of the film need other records of mixed lubrication";
+        let why = "other constants of the film need other reference solutions";
         return Err(why.to_owned());
     }
     plan(case, contacts).map_err(|error| error.to_string())
@@ -197,7 +197,7 @@ fn of_case(case: &LoadedCase) -> Vec<Known> {
         ),
         (
             "measured-flanks",
-            "traces of the flanks in place of roughness values".to_owned(),
+            "traces of the flanks instead of roughness values".to_owned(),
             Measurement::MeasuredFlanks,
         ),
         (

@@ -212,7 +212,7 @@ fn merged(mut base: Value, change: &Value) -> Value {
     base
 }
 
-/// A value with another one in place of one of its entries.
+/// A value with another one instead of one of its entries.
 type Replace<'a> = Box<dyn Fn(Value) -> Value + 'a>;
 
 /// Every way to scale one number, which is not zero, of `value` by `factor`, with the path of its key.

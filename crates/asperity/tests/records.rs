@@ -1,4 +1,4 @@
-//! The load share `ehl` and the full film `ehl`: records along the path, kept and interpolated.
+//! The load share `ehl` and the full film `ehl`: reference solutions along the path, kept and interpolated.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
 
@@ -119,14 +119,14 @@ fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
         .map(|part| part.name.as_str())
         .collect();
     for name in [
-        "error of the records",
+        "error of the reference solutions",
         "boundary friction below 20 nm",
         "boundary friction",
     ] {
         assert!(names.contains(&name), "{names:?}");
     }
     assert!(!names.contains(&"error of the model") && !names.contains(&"lay"));
-    // Ridges that leave the direction across the face leak, as the fast model says.
+    // Ridges that leave the direction across the face leak, as the model says.
     let usual = run(&[]);
     assert_eq!(files(cache.path()), 3);
     let found = of(&usual);

@@ -469,7 +469,7 @@ fn what_several_traces_cannot_mean_is_refused() {
             "traces = [\"0\"], file = \"1\"",
             wheel,
             "E205",
-            "in place of file",
+            "instead of file",
         ),
         ("traces = \"*\"", wheel, "E137", "name the files one by one"),
         (

@@ -295,7 +295,7 @@ fn generated_flanks_are_teeth_of_their_own_and_never_called_measured() {
     for (keys, rule) in [
         (
             "like = [\"../profiles/ground_pinion.csv\"], rq = \"0.3 um\"",
-            "in place of",
+            "instead of",
         ),
         ("rq = \"0.3 um\", seed = 2", "needs like"),
         (

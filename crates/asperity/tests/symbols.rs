@@ -1,4 +1,4 @@
-//! Symbols of a gear drawing and short forms in place of the keys of a case.
+//! Symbols of a gear drawing and short forms instead of the keys of a case.
 
 #![allow(clippy::disallowed_methods, reason = "tests read their own files")]
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]

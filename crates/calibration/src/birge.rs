@@ -92,7 +92,7 @@ mod tests {
         (0..POINTS).map(at).collect()
     }
 
-    /// Share of the 95 % bands of all fits that hold the truth, the same without widening, and share of the fits that are
+    /// Share of the 95 % intervals of all fits that hold the truth, the same without widening, and share of the fits that are
     /// refused, if the errors are `factor` times as large as stated.
     fn coverage(factor: f64, rigs: u64) -> [f64; 3] {
         let region = Region {

@@ -69,7 +69,7 @@ pub(crate) fn constant(key: &str, Estimate { value, low, high }: Estimate) -> St
     format!("{key} = {{ value = {value}, low = {low}, high = {high} }}")
 }
 
-/// A text in quotation marks, with other marks in place of those that TOML does not take there.
+/// A text in quotation marks, with other marks instead of those that TOML does not take there.
 pub(crate) fn quoted(source: &str) -> String {
     let plain = |letter: char| match letter {
         '\\' => '/',

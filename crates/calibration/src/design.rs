@@ -149,7 +149,7 @@ pub fn plan(
         warnings.push(Warning::new(
             Code::W436,
             format!(
-                "the boundary layer is held, because points within these limits do not identify it: {}; state the largest torque and speed and the temperatures of the rig if it reaches further",
+                "the boundary layer is fixed, because points within these limits do not identify it: {}; state the largest torque and speed and the temperatures of the rig if it reaches further",
                 missing.join("; ")
             ),
         ));

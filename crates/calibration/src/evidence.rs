@@ -98,7 +98,7 @@ impl StudySettings for EvidenceSettings {
     }
 }
 
-/// Loss with the middle rows of scans in place of all rows that are taken.
+/// Loss with the middle rows of scans instead of all rows that are taken.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct MiddleRows {

@@ -118,7 +118,7 @@ impl Rig {
         self.table.warnings.push(Warning::new(
             Code::W436,
             format!(
-                "the boundary layer is held, because these {} points do not identify it: {}",
+                "the boundary layer is fixed, because these {} points do not identify it: {}",
                 points.len(),
                 missing.join("; ")
             ),

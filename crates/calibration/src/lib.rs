@@ -8,7 +8,7 @@
 //! |---|---|
 //! | the table and its checks | [`rig_table`] |
 //! | the model at the points, with stored contacts | [`rig_model`] |
-//! | response surfaces in place of the model | [`response`], [`surfaces`] |
+//! | response surfaces instead of the model | [`response`], [`surfaces`] |
 //! | identifiability | [`information`], [`identifiability`] |
 //! | stages and the fit | [`least_squares`], [`problem`], [`fit`] |
 //! | bands | [`birge`], [`profile_likelihood`], [`bootstrap`](mod@bootstrap) |

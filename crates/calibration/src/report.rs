@@ -164,7 +164,7 @@ impl Design {
     fn with_settings(&self) -> Option<String> {
         (!self.settings.is_empty()).then(|| {
             format!(
-                "Settings of these losses: {}. A map with other settings, or with medians over the draws, has other losses.",
+                "Settings of these losses: {}. A map with other settings, or with medians over the samples, has other losses.",
                 self.settings
             )
         })

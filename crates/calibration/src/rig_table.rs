@@ -370,14 +370,14 @@ fn plausible(row: &RigRow, loss: &'static str) -> Result<(), (&'static str, Stri
     if !within(row.loss_w / power, SHARE) {
         let percent = 100.0 * row.loss_w / power;
         let rule = format!(
-            "{:.4} W is {percent:.3} % of the power of {power:.0} W; expected is 0.03 to 30 % (kW, or torque in place of power?)",
+            "{:.4} W is {percent:.3} % of the power of {power:.0} W; expected is 0.03 to 30 % (kW, or torque instead of power?)",
             row.loss_w
         );
         return Err((loss, rule));
     }
     if !within(row.relative_sigma(), SIGMA) {
         let rule = format!(
-            "{} W is {:.3} % of the loss; expected is 0.05 to 50 % (a share in place of W?)",
+            "{} W is {:.3} % of the loss; expected is 0.05 to 50 % (a share instead of W?)",
             row.sigma_w,
             100.0 * row.relative_sigma()
         );

@@ -276,7 +276,7 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
         said.ends_with("; the columns seem to be mixed up"),
         "{said}"
     );
-    // A mark in place of many numbers, and of one.
+    // A mark instead of many numbers, and of one.
     let marked = text.replace("\t40.0\t", "\tn.a.\t");
     let refused = read_pcs("mtm.txt", &marked, &machine(), Probe::Lube).unwrap_err();
     let said = refused.to_string();

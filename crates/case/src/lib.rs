@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`case`] | keys, defaults, checks, oil files, gear trains; [`case::load`] reads a file |
 //! | [`flanks`] | traces on their flanks, and the windows in contact at a mesh position |
-//! | [`laws`], [`load_share_law`] | user-defined laws in place of those that a case names |
+//! | [`laws`], [`load_share_law`] | user-defined laws instead of those that a case names |
 //! | [`formulation`], [`window_pressures`] | formulations of the model, which a program registers |
 //! | [`error`], [`message`] | errors and warnings with a code, the place in the case and a remedy |
 //!

@@ -1,4 +1,4 @@
-//! Refusals of a build without the feature `case-files` in place of reading texts.
+//! Refusals of a build without the feature `case-files` instead of reading texts.
 
 use std::borrow::Cow;
 

@@ -16,13 +16,13 @@ pub struct Estimate<T = f64> {
     /// Lower end of its interval.
     #[cfg_attr(
         feature = "schema",
-        schemars(description = "Lower end of the 95 % band.")
+        schemars(description = "Lower end of the 95 % interval.")
     )]
     pub low: T,
     /// Upper end of its interval.
     #[cfg_attr(
         feature = "schema",
-        schemars(description = "Upper end of the 95 % band.")
+        schemars(description = "Upper end of the 95 % interval.")
     )]
     pub high: T,
 }

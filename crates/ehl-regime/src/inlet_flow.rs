@@ -101,7 +101,7 @@ impl Lay {
     pub const ISOTROPIC: Self = Self(1.0);
     /// Largest lay at which the contact of lines is confirmed, γ = 1/6.
     pub const CONFIRMED: Self = Self(1.0 / 6.0);
-    /// Largest lay of a record of mixed lubrication, γ = 1/3.
+    /// Largest lay of a reference solution, γ = 1/3.
     pub const RECORDED: Self = Self(1.0 / 3.0);
 
     /// The lay of this γ.

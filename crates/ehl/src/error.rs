@@ -37,7 +37,7 @@ impl EhlError {
     /// The profile of surface 1 or 2 ends before the record does: its length and the length needed \[m\].
     pub(crate) fn profile_too_short(surface: u8, length: f64, needed: f64) -> Self {
         let text = format!(
-            "the profile of surface {surface} is {length:.4e} m long and the record needs {needed:.4e} m of it: shorten the record, or make the profile periodic"
+            "the profile of surface {surface} is {length:.4e} m long and the solution needs {needed:.4e} m of it: shorten its travel, or make the profile periodic"
         );
         Fault::new(Code::E209, text).into()
     }

@@ -365,13 +365,13 @@ impl RecordSettings {
             )
         };
         least(
-            "start of the record",
+            "start of the averages",
             self.start,
             0.0,
             "must not be negative",
         )?;
         least(
-            "length of the record",
+            "travel of the solution",
             self.length,
             1.0,
             "must be at least 1, for a block",

@@ -44,7 +44,7 @@
 //! β_i and the heights that count were chosen on these solutions, which therefore do not test the default.
 //!
 //! The gap supplied has two laws ([`GapLaw`](asperity_ehl_regime::GapLaw)), compared with 57 solutions of mixed lubrication
-//! (plane strain; film of a formula, spots fed at the entrainment speed, friction with the weight of the spots), mean and root mean square of the fast model:
+//! (plane strain; film of a formula, spots fed at the entrainment speed, friction with the weight of the spots), mean and root mean square of the model:
 //!
 //! | gap law, σ_d/h_c | φ | ln gap | ln μ |
 //! |---|---|---|---|

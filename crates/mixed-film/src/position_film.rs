@@ -91,7 +91,7 @@ pub struct PositionFilm<'a> {
     flow_rise: f64,
     thermal_factor: f64,
     nabla: f64,
-    /// Computed flow through the patches of both flanks, in place of the second order in σ_d over the gap.
+    /// Computed flow through the patches of both flanks, instead of the second order in σ_d over the gap.
     flow: Option<FlowTable>,
     /// σ_d of both whole traces by the smooth inlet, over the smooth mass-flow film.
     roughness_over_film: Option<f64>,

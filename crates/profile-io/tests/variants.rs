@@ -444,7 +444,7 @@ fn a_fault_that_repeats_says_what_the_file_seems_to_be() {
                 _ => good(i),
             }),
             "; 14 lines look like this: line 92 \"45.0;1.#LOST\", line 95 \"46.5;1.#LOST\"; the file seems to mark missing points with \"1.#LOST\"",
-            "Write NaN in place of the mark",
+            "Write NaN instead of the mark",
         ),
         (
             "unit",

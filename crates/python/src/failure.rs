@@ -19,7 +19,7 @@ impl Failure {
         Self(Fault::new(code, message))
     }
 
-    /// The same error with what can be done about it, in place of the general advice of its code.
+    /// The same error with what can be done about it, instead of the general advice of its code.
     pub fn advising(self, remedy: Remedy) -> Self {
         Self(self.0.with(remedy))
     }

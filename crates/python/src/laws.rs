@@ -224,7 +224,7 @@ fn missing(law: FrictionLaw, settings: &FrictionSettings, given: &Columns) -> Ve
         return Vec::new();
     }
     let is_given = |name: &str| given.0.contains_key(name);
-    // Usual values in place of the other inputs that are not given.
+    // Usual values instead of the other inputs that are not given.
     let usual = |name: &str| {
         let mut inputs = INPUTS.iter();
         inputs

@@ -50,7 +50,7 @@ impl PythonLaw {
         }
     }
 
-    /// Puts this law in place of that of a case.
+    /// Puts this law instead of that of a case.
     pub fn put_into(self: &Arc<Self>, laws: &mut Laws, law: LawOf) {
         let own = Arc::clone(self);
         match law {

@@ -132,7 +132,7 @@ def test_what_a_table_lacks_is_named(rig, columns, tmp_path):
 def test_points_at_one_temperature_hold_the_boundary_layer(rig, columns):
     cold = [row for row, at in enumerate(columns["temperature_c"]) if at == columns["temperature_c"][0]]
     one = {name: [values[row] for row in cold] for name, values in columns.items()}
-    with pytest.warns(asperity.AsperityWarning, match="W436 the boundary layer is held, .* temperature: only"):
+    with pytest.warns(asperity.AsperityWarning, match="W436 the boundary layer is fixed, .* temperature: only"):
         found = asperity.calibrate(one, CASE)
     assert list(found.parameters.key) == ["boundary_friction", "limiting_shear", "eyring_stress"]
     assert found.parameters.unit.tolist() == ["", "", "Pa"]

@@ -518,7 +518,7 @@ impl Table {
         self
     }
 
-    /// The table with `to` as the heading in place of `heading`.
+    /// The table with `to` as the heading instead of `heading`.
     #[must_use]
     pub fn renamed(mut self, heading: &str, to: &str) -> Self {
         let mut columns = self.columns.iter_mut();

@@ -42,7 +42,7 @@ pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
     let sides: Vec<String> = sides.into_iter().flatten().collect();
     let beside = match uncertainty.structures.len() {
         0 => String::new(),
-        count => format!(" besides the {count} drawn ones"),
+        count => format!(" in addition to the {count} sampled ones"),
     };
     (!sides.is_empty()).then(|| {
         format!(
@@ -55,7 +55,7 @@ pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
     })
 }
 
-/// The loss by published laws, each in place of film and asperity friction.
+/// The loss by published laws, each instead of film and asperity friction.
 pub(crate) fn published_laws(result: &RunResult) -> Table {
     columns! { entry in &result.published_laws;
         head law "law" "";

@@ -7,12 +7,12 @@ use asperity_core::Estimate;
 
 /// Explanation of the numbers.
 pub const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. Its saving uses the mean of the gradients of the \
-    loss before, half-way and after all listed ridges are pressed. The saving by all of them together is from a second run. \
-    The ridges are numbered by first_order_w of ridges.csv, the saving by the gradient before pressing. measured_first_order_w \
+    loss before, half-way and after the removal of all listed ridges. The saving by all of them together is from a second run. \
+    The ridges are numbered by first_order_w of ridges.csv, the saving by the gradient before the removal. measured_first_order_w \
     is computed in the same way on the unfiltered trace, whose filtered mean line moves too. It is empty if the preparation is \
     not linear. These values are with the constants at their \
-    medians; in brackets are the 5 and 95 % quantiles. Sets of the contacts, windows and relief are held in the gradient. \
-    Running-in, which presses ridges too, is not included. These are answers of the model, not measurements. \
+    medians; in brackets are the 5 and 95 % quantiles. Sets of the contacts, windows and relief are fixed in the gradient. \
+    Running-in, which removes ridges too, is not included. These are answers of the model, not measurements. \
     docs/howto/what-matters.md describes the method.";
 
 /// Least uncertainty of printed watts.
@@ -25,16 +25,16 @@ pub fn watts(value: f64) -> String {
 
 /// The saving of all listed ridges together, by a run, as a sentence.
 pub fn verdict(ridges: &Ridges) -> String {
-    format!("Pressing {}.", saving(ridges))
+    format!("Removing {}.", saving(ridges))
 }
 
-/// The listed ridges and what pressing them saves.
+/// The listed ridges and what removing them saves.
 fn saving(ridges: &Ridges) -> String {
     let saved = ridges.loss_at_medians_w - ridges.pressed_at_medians_w;
     let sampled = ridges.sampling_quantiles_w.map(|[low, high]| [-high, -low]);
     let quantiles = ridges.saving_quantiles_w.or(sampled);
     format!(
-        "the {} costliest ridges to the mean line saves {}",
+        "the {} costliest ridges down to the mean line saves {}",
         ridges.rows.len(),
         with_interval(saved, quantiles, " W")
     )
@@ -154,7 +154,7 @@ pub fn notes(ridges: &Ridges) -> Vec<String> {
 /// The line of a run: the saving, or why there is none; `None` if the ridges were not sought.
 pub fn line(result: &RunResult) -> Option<String> {
     let found = result.ridges.as_ref();
-    let found = found.map(|ridges| format!("pressing {}", saving(ridges)));
+    let found = found.map(|ridges| format!("removing {}", saving(ridges)));
     let none = || Some(format!("not computed: {}", result.no_ridges.as_ref()?));
     Some(format!("ridges: {}", found.or_else(none)?))
 }

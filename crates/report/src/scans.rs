@@ -23,7 +23,7 @@ pub(crate) const NOTE: &str = "The rows are traces of the same scans, and their 
     flow in the inlet over the flow of a smooth gap. It is computed through the patch, and of rows by their height and lay. Both are \
     means over the places at the position with the highest pressure, each with the roughness that its inlet leaves.";
 
-/// Words in place of the comparison of patches with rows.
+/// Words instead of the comparison of patches with rows.
 #[must_use]
 pub fn without(why: &str) -> String {
     format!("The patches of the scans are not compared with rows of them: {why}.")

@@ -343,7 +343,7 @@ pub(crate) fn two_digits(power: f64) -> String {
     }
 }
 
-/// The losses of the gearbox besides the mesh, by part.
+/// The losses of the gearbox in addition to the mesh, by part.
 #[must_use]
 pub fn besides_the_mesh(gearbox: &GearboxReport) -> String {
     let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
@@ -351,7 +351,7 @@ pub fn besides_the_mesh(gearbox: &GearboxReport) -> String {
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     let parts: Vec<String> = parts.collect();
     format!(
-        "besides the mesh {}, from the input and without an interval: {}",
+        "in addition to the mesh {}, from the input and without an interval: {}",
         stated(gearbox.parts_w),
         parts.join(", ")
     )
@@ -440,7 +440,7 @@ fn solver_notes(result: &RunResult) -> Vec<String> {
     let mut lines = Vec::new();
     if let Some(error) = s.asperity_share_standard_error {
         lines.push(format!(
-            "share of the load below 20 nm  {:.3}, standard error {error:.3} ({} records of mixed lubrication)",
+            "share of the load below 20 nm  {:.3}, standard error {error:.3} ({} reference solutions)",
             s.asperity_share,
             result.records.len()
         ));
@@ -560,7 +560,7 @@ fn shift(result: &RunResult) -> Option<String> {
     let shift = result.summary.loss_w / at_medians - 1.0;
     (shift.abs() > NOTED_SHIFT).then(|| {
         format!(
-            "with every constant at its median the loss is {} W; the median of the draws is {:.0} % {}. Inputs that are not stated \
+            "with every constant at its median the loss is {} W; the median of the samples is {:.0} % {}. Inputs that are not stated \
             (tip relief, lay), flow through areal windows, errors above a fifth, and a mean error of the model \
             (gap law `power`, reference solutions) change the loss more in one direction",
             uncertainty.digits().rounded(at_medians),
@@ -579,10 +579,10 @@ pub fn models(result: &RunResult) -> String {
     format!("other models, and the evidence against them\n{table}")
 }
 
-/// Table of the published laws, each in place of film and asperity friction.
+/// Table of the published laws, each instead of film and asperity friction.
 pub fn published_laws(result: &RunResult) -> String {
     let table = other_models::published_laws(result).text("");
-    format!("published laws, each in place of film and asperity friction\n{table}")
+    format!("published laws, each instead of film and asperity friction\n{table}")
 }
 
 #[cfg(test)]

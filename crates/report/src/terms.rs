@@ -227,11 +227,11 @@ pub const TERMS: &[Term] = &[
     term(
         "uncertainty interval",
         &["5 to 95 %", "5 and 95 %", "90 % interval"],
-        "5 to 95 % of the draws of a result",
+        "5 to 95 % of the samples of a result",
     ),
     term(
-        "draw",
-        &["draws", "drawn"],
+        "sample",
+        &["samples"],
         "one loss with constants, model and flanks at random within their uncertainty",
     ),
     term(
@@ -247,11 +247,11 @@ pub const TERMS: &[Term] = &[
     term(
         "error of the model",
         &[],
-        "error of the contact model of a run against records of mixed lubrication",
+        "error of the contact model of a run against reference solutions",
     ),
     term(
-        "record",
-        &["records of mixed lubrication"],
+        "reference solution",
+        &["reference solutions"],
         "transient solution of the mixed contact at one place, the reference of the model of a run",
     ),
     term(

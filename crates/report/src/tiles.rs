@@ -126,7 +126,7 @@ fn contributions(result: &RunResult) -> Option<Tile> {
             [part.name.clone(), format!("{} W", ends.join(".."))]
         });
     Some(Tile {
-        note: "5 to 95 % of the loss, each drawn alone".to_owned(),
+        note: "5 to 95 % of the loss, each sampled alone".to_owned(),
         kind: TileKind::Sources,
         ..Tile::rows("sources of the interval", rows.collect())
     })

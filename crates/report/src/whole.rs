@@ -262,7 +262,7 @@ fn meshes_section(result: &Whole) -> Markup {
         p { "Torque and speed of the pinion, in a planetary set relative to the carrier. Here the torque is without losses; \
             the table of the shafts has it with losses." }
         @if result.loss_distribution.is_some() {
-            p { "In brackets are 5 and 95 % of the draws. They share oil and boundary layer over all meshes, and include the \
+            p { "In brackets are 5 and 95 % of the samples. They share oil and boundary layer over all meshes, and include the \
                 sampling of the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }
         }
         (source_line("meshes.csv"))

@@ -340,7 +340,7 @@ fn filtered(
             (line.heights, Some(line.evidence))
         }
     };
-    // In place of the line: a long trace is large.
+    // Instead of the line: a long trace is large.
     for (z, line) in primary.heights().iter().zip(&mut rough) {
         *line = z - *line;
     }

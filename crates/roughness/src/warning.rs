@@ -66,7 +66,7 @@ pub enum Warning {
     },
     /// Heights differ as between finishes.
     #[error(
-        "Rq of the traces is {from:.4} to {to:.4}, as of several finishes; what is made is a mixture"
+        "Rq of the traces is {from:.4} to {to:.4}, as of several finishes; what is generated is a mixture"
     )]
     HeightsDiffer {
         /// Least Rq.
@@ -76,7 +76,7 @@ pub enum Warning {
     },
     /// Slopes differ as between finishes.
     #[error(
-        "the root mean square slope of the traces is {from} to {to}, as of several finishes; what is made is a mixture",
+        "the root mean square slope of the traces is {from} to {to}, as of several finishes; what is generated is a mixture",
         from = number(*from), to = number(*to)
     )]
     SlopesDiffer {

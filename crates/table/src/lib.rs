@@ -67,7 +67,7 @@ impl Table {
         Self::named(text, None)
     }
 
-    /// Reads the table in `text`, whose columns have these `names`: in place of its own, or if it has none. A column named
+    /// Reads the table in `text`, whose columns have these `names`: instead of its own, or if it has none. A column named
     /// `-` is left out.
     ///
     /// # Errors

@@ -96,7 +96,7 @@ fn titles_units_and_names_are_where_other_programs_write_them() {
         assert_eq!(numbers(text, "time_s"), [0.0, 2.0], "{text:?}");
         assert_eq!(numbers(text, "speed_km_h"), [1.0, 3.0], "{text:?}");
     }
-    // Names stated for a table without names, or in place of its own.
+    // Names stated for a table without names, or instead of its own.
     let names = ["time_s", "-", "v"].map(str::to_owned);
     for text in [
         "0,9,1\n2,9,3\n",

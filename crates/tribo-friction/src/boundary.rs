@@ -59,7 +59,7 @@ pub const INNER_BOUNDARY_RANGE: [f64; 2] = [0.6, 0.9];
 /// ```
 pub fn boundary_share(film: Length, boundary_layer: Length) -> Result<f64, FrictionError> {
     cite!("Boundary-share");
-    let h = DomainError::non_negative("film of the spot", film)?;
+    let h = DomainError::non_negative("film of the asperity contact", film)?;
     let h_b = DomainError::non_negative("boundary layer", boundary_layer)?;
     let rule = "film and boundary layer must not both be zero";
     DomainError::require(h + h_b > 0.0, "boundary layer", h_b, "m", rule)?;

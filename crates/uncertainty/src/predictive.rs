@@ -10,8 +10,8 @@
 //! | Q | rolling loss | W |
 //! | φ | share of the load on the asperities, weighted with the sliding loss | - |
 //! | s | roughness σ_d that the contact leaves over the film, weighted with the sliding loss | - |
-//! | g | ln of the ratio of the losses by the fast model and by records of mixed lubrication, at its mean; of records, by their short waves | - |
-//! | ρ | sliding loss by records of mixed lubrication with the whole boundary friction on thin films, over the sliding loss of the run | - |
+//! | g | ln of the ratio of the losses by the model and by reference solutions, at its mean; of records, by their short waves | - |
+//! | ρ | sliding loss by reference solutions with the whole boundary friction on thin films, over the sliding loss of the run | - |
 //! | SE, ν | standard error of ln P by the sampling of the flanks, its degrees of freedom | - |
 //!
 //! The draws are the same for every case. All flanks share the constants, β_i, the tip relief and the rolling
@@ -35,15 +35,15 @@ use asperity_case::case::UncertainParameter;
 
 /// Mean and standard deviation of the power of the ratio of loss factors.
 const RELIEF_POWER: [f64; 2] = [1.15, 0.08];
-/// Standard deviation of ln of the fast model over records: of films without load on asperities, judged with 93 records in view, and
+/// Standard deviation of ln of the model over records: of films without load on asperities, judged with 93 records in view, and
 /// from [`FULL_FILM`] up to [`COMPARED`], fitted by likelihood to 85 of them in the windows that they pass.
 const FILM_ERROR: f64 = 0.03;
 const MIXED_ERROR: f64 = 0.05;
-/// Roughness that the contact leaves over the film up to which records of mixed lubrication are a reference.
+/// Roughness that the contact leaves over the film up to which reference solutions are a reference.
 pub const COMPARED: f64 = 3.0;
 /// That from which nothing is, with the standard deviation there.
 const UNKNOWN: (f64, f64) = (4.0, 0.15);
-/// Standard deviation of ln friction of a record of mixed lubrication, besides its travel: its standard error and grid in 93 records.
+/// Standard deviation of ln friction of a reference solution, besides its travel: its standard error and grid in 93 records.
 const RECORD_ERROR: f64 = 0.03;
 /// ln friction of records solved again with waves down to 2.5 µm over that with their 8 µm: mean and standard deviation. Ten records
 /// rose by 0.024 ± 0.036, without one near the pitch point, where little is lost, by 0.014 ± 0.015.
@@ -98,8 +98,8 @@ pub struct Predictive {
     /// The loss by other gaps than the computed flow of patches supplies; `None` of lines.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub patch_flow: Option<PatchFlowError>,
-    /// Rules of the boundary friction of records of mixed lubrication, where these give the friction: in place of β_i, and with the
-    /// error of the records.
+    /// Rules of the boundary friction of reference solutions, where these give the friction: instead of β_i, and with the
+    /// error of the reference solutions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub recorded: Option<RecordedRule>,
     /// Loss factors over tip reliefs; `None` if the case states its relief.
@@ -152,7 +152,7 @@ impl InnerBoundary {
     }
 }
 
-/// Boundary friction of records of mixed lubrication by either of two rules.
+/// Boundary friction of reference solutions by either of two rules.
 ///
 /// ```text
 /// 2 S/(1 + ρ) or 2 ρ S/(1 + ρ), each in half of the draws                             [Record-rule-draw]
@@ -255,11 +255,11 @@ pub enum Component {
     Sampling,
     /// Tip relief that is not stated.
     Relief,
-    /// Error of the fast model.
+    /// Error of the model.
     Model,
     /// β_i, or the rule of the boundary friction in records.
     InnerBoundary,
-    /// Lay beyond the records of mixed lubrication.
+    /// Lay above 1/3.
     FarLay,
     /// Thermal reduction beyond its fit.
     HeldThermal,
@@ -303,11 +303,11 @@ impl Component {
             Self::Constants => "all constants",
             Self::Sampling => "sampling of the flanks",
             Self::Relief => "tip relief not stated",
-            Self::Model if is_recorded => "error of the records",
+            Self::Model if is_recorded => "error of the reference solutions",
             Self::Model => "error of the model",
             Self::InnerBoundary if is_recorded => "boundary friction below 20 nm",
             Self::InnerBoundary => "boundary share of inner contacts",
-            Self::FarLay => "lay beyond the records",
+            Self::FarLay => "lay above 1/3",
             Self::HeldThermal => "thermal reduction beyond its fit",
             Self::PatchFlow => "flow over the patch",
             Self::Rolling => "rolling loss",
@@ -533,7 +533,7 @@ impl Predictive {
         x * (at(slope) + x * at(bend))
     }
 
-    /// The sliding loss of a lay beyond the records over the one at the lay of the case.
+    /// The sliding loss of a lay above 1/3 over the one at the lay of the case.
     ///
     /// ```text
     /// 1 + u (S(1/6)/S − 1),  0 ≤ u ≤ 1                                              [Far-lay-draw]
@@ -736,7 +736,7 @@ pub fn model_correlation(lengths: [f64; 4], a: [f64; 4], b: [f64; 4]) -> f64 {
 /// Lengths of ln film, roughness, pressure and friction over which the error of the model changes.
 pub const MODEL_LENGTHS: [f64; 4] = [0.8, 0.6, 0.11, 0.15];
 
-/// Bias g of ln of the losses by the fast model over those by records of mixed lubrication, and its standard deviation.
+/// Bias g of ln of the losses by the model over those by reference solutions, and its standard deviation.
 ///
 /// ```text
 /// sd² = e² + l²,  e = 0.03 + min(φ, 0.02) up to s = 3, then a line to 0.15 at 4
@@ -786,7 +786,7 @@ pub fn model_deviation(
     [bias, error.hypot(light)]
 }
 
-/// Bias of ln of the losses by records of mixed lubrication, and its standard deviation.
+/// Bias of ln of the losses by reference solutions, and its standard deviation.
 ///
 /// ```text
 /// g = −0.04, w g uniform: mean −0.02 by waves below 8 µm;  sd² = 0.03² + 0.02² − 0.04²/12       [Record-bias]

@@ -60,7 +60,7 @@ pub fn solve(
     });
     drop(shown);
     let records = result.map_err(|error| Fault::from(error).about(&title))?;
-    let none = || Failure::new(Code::E501, format!("{title}: no record"));
+    let none = || Failure::new(Code::E501, format!("{title}: no reference solution"));
     let solved = mean_of(&records).ok_or_else(none)?;
     let highest = solved.value.max_pressure;
     if highest > HIGHEST_PRESSURE {
@@ -194,7 +194,7 @@ impl Recorded {
             record.travel,
             match self.shares.len() {
                 1 => String::new(),
-                count => format!(" in {count} records"),
+                count => format!(" in {count} reference solutions"),
             },
         );
         let film = format!(
@@ -312,6 +312,6 @@ fn with_error(unit: &str, mean: f64, standard_error: f64) -> String {
             let [mean, error] = [mean, standard_error].map(|value| digits.rounded(value));
             format!("{mean}{unit} (standard error {error})")
         }
-        false => format!("{mean:.4}{unit} (record too short for a standard error)"),
+        false => format!("{mean:.4}{unit} (solution too short for a standard error)"),
     }
 }

@@ -43,7 +43,7 @@ fn usable(evaluated: &Evaluated) -> String {
     let warnings = evaluated.warnings();
     if warnings.iter().any(|warning| warning.code() == Code::W124) {
         return format!(
-            "usable: no, no flank has such heights: a run refuses them ({})",
+            "usable: no, no flank has such heights: a run rejects them ({})",
             Code::W124
         );
     }

@@ -17,7 +17,7 @@ pub(crate) struct Solved<'a> {
     pub positions: Vec<LubricatedPosition>,
     /// Rolling friction force per metre of contact line on one surface at each position \[N/m\].
     pub rolling: Vec<f64>,
-    /// Records of mixed lubrication along the path.
+    /// Reference solutions along the path.
     pub records: Option<&'a PathRecords>,
     /// Mesh with all flanks at each offset.
     pub meshes: Vec<MeshEfficiency>,

@@ -120,7 +120,7 @@ fn same_trace(loaded: &OperatingCase, found: &mut Vec<Warning>) {
     }
 }
 
-/// W452: a lay beyond the records of mixed lubrication; where it was drawn, with the ratio of the loss at a lay of 1/6 to the loss
+/// W452: a lay above 1/3; where it was drawn, with the ratio of the loss at a lay of 1/6 to the loss
 /// of the case.
 pub(crate) fn far_lay(
     loaded: &OperatingCase,
@@ -139,7 +139,7 @@ pub(crate) fn far_lay(
         None => format!(", and above 1/6 the contact of lines is not confirmed{worth}"),
     };
     let text = format!(
-        "lay {:.2} of both flanks is above 1/3: no record of mixed lubrication has such flanks{lines}",
+        "lay {:.2} of both flanks is above 1/3: no reference solution has such flanks{lines}",
         lay.gamma()
     );
     Ok(Some(Warning {
@@ -666,7 +666,7 @@ pub(crate) fn records(
         found.push(Warning::new(
             Code::W415,
             format!(
-                "the roughness left in the contact is up to {:.2} smooth films, above {LARGEST_ROUGHNESS} in {beyond} of {} records: the modelled ridges cannot leak, so rely on measurements rather than on these records",
+                "the roughness left in the contact is up to {:.2} smooth films, above {LARGEST_ROUGHNESS} in {beyond} of {} reference solutions: the modelled ridges cannot leak, so rely on measurements rather than on these solutions",
                 ratios.fold(0.0, f64::max),
                 records.len()
             ),

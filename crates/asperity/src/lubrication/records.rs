@@ -8,7 +8,7 @@ use crate::records::PathRecords;
 use asperity_case::case::{FullFilmName, OperatingCase, ShareLaw};
 use asperity_case::error::PositionError;
 
-/// Records of mixed lubrication along `positions`, if the load share or the full film requires them, and how
+/// Reference solutions along `positions`, if the load share or the full film requires them, and how
 /// many of them `progress` counts before the positions.
 ///
 /// # Errors

@@ -59,7 +59,7 @@ pub(crate) struct Lubrication<'a> {
     pub case: &'a OperatingCase,
     pub laws: &'a ChosenLaws,
     pub surfaces: &'a Surfaces,
-    /// Records of mixed lubrication along the path.
+    /// Reference solutions along the path.
     pub records: Option<&'a PathRecords>,
 }
 

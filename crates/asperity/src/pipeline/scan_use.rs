@@ -12,7 +12,7 @@ pub struct ScanUse {
     pub taken: String,
     /// Their use in the other case.
     pub other: &'static str,
-    /// Patches in place of which rows are taken, or rows in place of which only the middle one is.
+    /// Patches instead of which rows are taken, or rows instead of which only the middle one is.
     pub are_patches: bool,
     /// The other case.
     pub case: Result<LoadedCase, Error>,
@@ -21,7 +21,7 @@ pub struct ScanUse {
 /// Most rows of each of two scans next to patches: the loss of more pairs takes longer than the loss of the patches.
 const ROWS_BESIDE: usize = 4;
 
-/// The case with rows of its scans in place of patches.
+/// The case with rows of its scans instead of patches.
 fn beside_patches(loaded: &LoadedCase) -> Result<LoadedCase, Error> {
     let rows = loaded.with(|input| input.surface.contact = Some(ContactName::Lines))?;
     if rows.surfaces.pairs() <= ROWS_BESIDE * ROWS_BESIDE {

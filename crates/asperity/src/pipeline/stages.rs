@@ -220,7 +220,7 @@ pub(crate) fn outcome(
     Ok((outcome, warmed, contacts.into_owned()))
 }
 
-/// The flanks as measured of the case by the fast model, with β_i as it is: records of mixed lubrication have no spots.
+/// The flanks as measured of the case by the model, with β_i as it is: reference solutions have no spots.
 pub(crate) fn by_solved_contacts(case: &OperatingCase) -> Result<OperatingCase, Error> {
     case.overridden(|over| {
         over.alternative = Some(Alternative::LoadShare(LoadShareName::Solved));
@@ -229,13 +229,13 @@ pub(crate) fn by_solved_contacts(case: &OperatingCase) -> Result<OperatingCase, 
     })
 }
 
-/// Sliding loss at the lay of the flanks over the loss with ridges across rolling, which records of mixed lubrication have.
+/// Sliding loss at the lay of the flanks over the loss with ridges across rolling, which reference solutions have.
 ///
 /// ```text
 /// k = S_fast(θ₀, lay)/S_fast(θ₀, lay 0)                                               [Record-lay]
 /// ```
 ///
-/// S_fast: sliding loss by the fast model \[W\]; θ₀: constants at their medians.
+/// S_fast: sliding loss by the model \[W\]; θ₀: constants at their medians.
 fn friction_of_lay(case: &OperatingCase) -> Result<f64, Error> {
     cite!("Record-lay");
     let case = by_solved_contacts(case)?;

@@ -1,4 +1,4 @@
-//! Records of transient mixed lubrication along the path of contact: the load share `ehl`.
+//! Transient reference solutions along the path of contact: the load share `ehl`.
 //!
 //! `PathRecords` solves the rough contact of a case at a few places of the path, each over a travel of some
 //! half-widths, and interpolates shares, films and friction between them. [`RecordStore`] keeps what was solved

@@ -28,21 +28,21 @@ pub struct Uncertainty {
     /// Root mean square error of the interpolation of ln loss, at evaluations that it was not fitted to.
     pub interpolation_error: f64,
     /// Roughness that the contact leaves over the film, weighted with the sliding loss: beyond 3 nothing judges the model, and its
-    /// error is wider (gap law `power`: beyond 2 it loses more than records of mixed lubrication).
+    /// error is wider (gap law `power`: beyond 2 it loses more than reference solutions).
     pub roughness_over_film: Option<f64>,
     /// Contribution of the sampling of the flanks.
     pub sampling: SamplingPart,
-    /// Friction of the boundary layer at the 5 % and 95 % quantiles of the boundary share of inner spots \[W\]: how far the records of
+    /// Friction of the boundary layer at the 5 % and 95 % quantiles of the boundary share of asperity contacts formed inside the contact \[W\]: how far the records of
     /// mixed lubrication tell it from the friction of lubricated asperities. `None` if that share is not drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub boundary_w: Option<[f64; 2]>,
-    /// The loss over the boundary share of inner spots, which is drawn.
+    /// The loss over the boundary share of asperity contacts formed inside the contact, which is drawn.
     pub structures: Vec<AlternativeRow>,
     /// The loss by models that records or measurements contradict; none is drawn.
     pub other_models: Vec<AlternativeRow>,
     /// Trust in the result.
     pub trust: Trust,
-    /// Quantiles of the loss that traces in place of surrogate flanks would leave \[W\]; `None` for measured flanks.
+    /// Quantiles of the loss that traces instead of surrogate flanks would leave \[W\]; `None` for measured flanks.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub with_traces_w: Option<[f64; 2]>,
     /// 5 % and 95 % quantiles of the sliding loss per metre of contact line at each position \[W/m\].
@@ -283,7 +283,7 @@ impl AlternativeRow {
     #[must_use]
     pub fn standing(&self) -> &str {
         match self.refuted_by.is_empty() {
-            true => "drawn: part of the interval",
+            true => "sampled: part of the interval",
             false => &self.refuted_by,
         }
     }
@@ -362,7 +362,7 @@ impl Uncertainty {
         }
     }
 
-    /// Whether traces in place of roughness values would leave an interval that is printed with other ends.
+    /// Whether traces instead of roughness values would leave an interval that is printed with other ends.
     #[must_use]
     pub fn traces_narrow(&self) -> bool {
         let digits = self.digits();

@@ -74,7 +74,7 @@ pub struct RunResult {
     /// part of no mean. Left out are points without load and points whose contact the traces do not resolve or are too
     /// short for.
     pub points: Vec<PointRow>,
-    /// Records of mixed lubrication that load share or full film rest on; none with other laws.
+    /// Reference solutions that load share or full film rest on; none with other laws.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub records: Vec<RecordRow>,
     /// Uncertainty of the loss; absent where the run was made without, or the model has none.
@@ -464,7 +464,7 @@ pub struct RecordRow {
     pub load_error: f64,
 }
 
-/// What records of mixed lubrication leave uncertain of a sliding loss.
+/// What reference solutions leave uncertain of a sliding loss.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RecordedFriction {

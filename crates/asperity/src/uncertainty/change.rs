@@ -154,7 +154,7 @@ pub fn sampling_interval(
 }
 
 /// Standard error of the mean of `differences` by the sampling of the flanks, and its degrees of freedom. They are one at each offset of
-/// a case with this `path`. `None` without traces, with a single offset, and by records of mixed lubrication, whose friction is the same
+/// a case with this `path`. `None` without traces, with a single offset, and by reference solutions, whose friction is the same
 /// at every offset.
 #[must_use]
 pub fn sampling_error_of_changes(

@@ -11,7 +11,7 @@
 //! | tip relief that is not stated | teeth | falls to 0 with their dimensions |
 //! | sampling of the flanks | teeth that were measured | correlation of the losses at the offsets; 0 of other teeth |
 //! | error of the model | teeth that were measured | falls with the distance of the conditions (`Model-common`); 0 of other teeth |
-//! | inner spots, rolling loss, other rules of the model | the model | - |
+//! | asperity contacts formed inside the contact, rolling loss, other rules of the model | the model | - |
 //!
 //! A constant that one run states and the other leaves drawn is known in both as far as it belongs to the same thing: the difference
 //! counts the shift of its median.

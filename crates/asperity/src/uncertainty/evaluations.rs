@@ -366,7 +366,7 @@ impl<'a> Fits<'a> {
         Ok((squares.sum::<f64>() / HELD_OUT as f64).sqrt())
     }
 
-    /// Factors that single evaluations give: inner boundary friction, thermal reduction beyond its fit, lay beyond the records.
+    /// Factors that single evaluations give: inner boundary friction, thermal reduction beyond its fit, lay above 1/3.
     fn enter_factors(
         &self,
         loaded: &OperatingCase,

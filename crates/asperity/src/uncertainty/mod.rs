@@ -141,12 +141,12 @@ pub(crate) fn run_and_draw(loaded: &LoadedCase, options: &Options<'_>) -> Result
     }
     if predictive.surface_rms > PRECISE {
         let percent = 100.0 * predictive.surface_rms;
-        let text = format!("the draws interpolate ln loss over the constants to {percent:.1} %");
+        let text = format!("the samples interpolate ln loss over the constants to {percent:.1} %");
         warnings.push(Warning::new(Code::W440, text));
     }
     if uncertainty.beyond_power > 0 {
         let text = format!(
-            "{} of {} draws exceeded the power into the mesh and were set to it",
+            "{} of {} samples exceeded the power into the mesh and were set to it",
             uncertainty.beyond_power, uncertainty.draws
         );
         warnings.push(Warning::new(Code::W440, text));
@@ -296,8 +296,8 @@ fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
 const TRACTION: &str = "a traction curve of the oil";
 /// Measurement that narrows the constants of the boundary layer.
 const RIG: &str = "losses measured on a rig (asperity calibrate)";
-/// Solution that is more certain than the fast model, and takes minutes.
-const RECORDS: &str = "computed records of mixed lubrication: model.load_share = \"ehl\"";
+/// Solution that is more certain than the model, and takes minutes.
+const RECORDS: &str = "reference solutions: model.load_share = \"ehl\"";
 
 /// The measurement that would narrow a constant.
 fn measurement_of(ranged: &Ranged) -> &'static str {

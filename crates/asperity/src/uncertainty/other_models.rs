@@ -36,22 +36,23 @@ const DRY_REFUTED: &str = "superfinishing the example drive would save 47 to 53 
 /// Films of the spots, with their numbers in `tests/golden/evidence/ehl-models.csv`.
 const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
     (
-        "spots with the film of the inlet",
+        "asperity contacts with the film of the inlet",
         SpotSpeed::Entrainment,
-        "ln friction is 0.12 below 85 records of mixed lubrication; by the default 0.00 above",
+        "ln friction is 0.12 below 85 reference solutions; by the default 0.00 above",
     ),
     (
-        "spots with the film of half the sliding speed",
+        "asperity contacts with the film of half the sliding speed",
         SpotSpeed::HalfSliding,
-        "ln friction scatters by 0.101 about 85 records of mixed lubrication; by the default by 0.061",
+        "ln friction scatters by 0.101 about 85 reference solutions; by the default by 0.061",
     ),
 ];
 const HALVED: &str =
-    "asperity share is 0.09 below 74 records of mixed lubrication; by the default 0.01 above";
+    "asperity share is 0.09 below 74 reference solutions; by the default 0.01 above";
 /// Slope of the change by the step rule: the sum of the changes over the sum of φ (μ_b − μ_film), of records with s below 3 and a
 /// share φ above 2 %; 0.08 to 0.20 in eight of ten.
 const STEP_RULE: f64 = 0.12;
-const STEP_EVIDENCE: &str = "records of mixed lubrication do not exclude it: by it their own friction is 4 % higher in the mean";
+const STEP_EVIDENCE: &str =
+    "reference solutions do not exclude it: by it their own friction is 4 % higher in the mean";
 
 /// Change of the loss \[W\] by the whole boundary friction on all films below 20 nm, instead of a share that falls with the film.
 ///
@@ -98,7 +99,7 @@ pub(super) fn by_formula(loaded: &OperatingCase, nominal: &Nominal<'_>) -> Vec<A
         found.push(row(
             "loss lowered where ridges cannot leak",
             s.loss_w + s.sliding_w * ((-bias).exp() - 1.0),
-            "mean of ln friction over 85 records of mixed lubrication -0.01 without it",
+            "mean of ln friction over 85 reference solutions -0.01 without it",
         ));
     }
     found
@@ -241,11 +242,11 @@ mod tests {
         let (_, [_, half_sliding]) = friction("half-sliding spots");
         let expected = [
             format!(
-                "ln friction is {:.2} below {count} records of mixed lubrication; by the default {default:.2} above",
+                "ln friction is {:.2} below {count} reference solutions; by the default {default:.2} above",
                 -inlet
             ),
             format!(
-                "ln friction scatters by {half_sliding:.3} about {count} records of mixed lubrication; by the default by {scatter:.3}"
+                "ln friction scatters by {half_sliding:.3} about {count} reference solutions; by the default by {scatter:.3}"
             ),
         ];
         assert_eq!(SPEEDS.map(|(_, _, evidence)| evidence.to_owned()), expected);
@@ -261,7 +262,7 @@ mod tests {
             mean_and_deviation(&errors.collect::<Vec<_>>())[0]
         };
         let expected = format!(
-            "asperity share is {:.2} below {} records of mixed lubrication; by the default {:.2} above",
+            "asperity share is {:.2} below {} reference solutions; by the default {:.2} above",
             -over(0.5),
             shares.len(),
             over(1.0)

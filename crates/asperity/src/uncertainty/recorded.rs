@@ -1,6 +1,6 @@
-//! Draws of a loss, from contacts or from records of mixed lubrication.
+//! Draws of a loss, from contacts or from reference solutions.
 //!
-//! A record takes minutes, so that none is solved for a draw: over the constants and the lay the loss changes as by the fast model,
+//! A record takes minutes, so that none is solved for a draw: over the constants and the lay the loss changes as by the model,
 //! which agrees with records within some percent. Its own error and β_i give way to the errors of the records, and to the two rules
 //! of their boundary friction.
 
@@ -107,7 +107,7 @@ fn by_records(
     Ok(found)
 }
 
-/// Whether records would narrow the interval of a case that the fast model has solved: up to the roughness over film that the records
+/// Whether records would narrow the interval of a case that the model has solved: up to the roughness over film that the records
 /// are a reference for, and where their own errors are smaller.
 ///
 /// Expected of records are their error, the rule of their boundary friction with the mean effect that it has in records, and the

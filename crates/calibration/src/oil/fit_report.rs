@@ -130,7 +130,7 @@ impl OilFit {
         });
         verdicts.extend(unsigned.map(|one| {
             format!(
-                "The sign of the {} is open: its interval holds 0.",
+                "The sign of the {} is open: its interval contains 0.",
                 one.name
             )
         }));

@@ -146,7 +146,7 @@ impl Specimens {
 settings! {
     /// Priors of the constants and errors of the points.
     pub struct PriorSettings {
-        /// Leave the constants to the points, with wide priors in place of the family
+        /// Leave the constants to the points, with wide priors instead of the family
         wide: bool,
         /// Zeros of the friction
         zero: Zero = "curve",

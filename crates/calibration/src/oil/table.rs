@@ -2,14 +2,14 @@
 //!
 //! | column | meaning |
 //! |---|---|
-//! | `max_pressure_gpa` | largest Hertz pressure, in place of `load_n` |
+//! | `max_pressure_gpa` | largest Hertz pressure, instead of `load_n` |
 //! | `load_n`, `mean_speed_m_s`, `slide_roll_percent`, `temperature_c` | setting; 200 % is pure sliding |
 //! | `traction` | friction coefficient |
 //! | `sigma` | its standard deviation |
 //! | `group` | name of a calibration of load and force, with a gain of its own |
 //! | `set_temperature_c` | temperature that the machine was set to; default the reading rounded to 5 K |
 //! | `ball_radius_mm`, `second_radius_mm` | radii of both bodies; default 9.525 mm and a flat |
-//! | `radius_rolling_mm`, `radius_across_mm` | relative radii along and across the motion, in place of both |
+//! | `radius_rolling_mm`, `radius_across_mm` | relative radii along and across the motion, instead of both |
 //! | `youngs_modulus_gpa`, `poisson`, `conductivity_w_mk` | of both specimens |
 //! | `film_nm` | measured central film |
 //! | `rubbing_s` | time for which the specimens have rubbed before \[s\] |
@@ -45,7 +45,7 @@ const KNOWN: [&str; 16] = [
     "conductivity_w_mk",
     PRESSURE,
 ];
-/// Column of a largest Hertz pressure, in place of a load.
+/// Column of a largest Hertz pressure, instead of a load.
 const PRESSURE: &str = "max_pressure_gpa";
 /// Column of a measured film.
 const FILM: &str = "film_nm";

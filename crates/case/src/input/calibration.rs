@@ -1,4 +1,4 @@
-//! Parameters calibrated on a rig, with their 95 % bands.
+//! Parameters calibrated on a rig, with their 95 % intervals.
 
 use asperity_core::Estimate;
 use asperity_core::numerics::Cholesky;
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::rows::{Numbers, OPEN, table};
 
 table! {
-    /// Parameters calibrated on a rig, each with the 95 % band that the band of the loss is drawn from.
+    /// Parameters calibrated on a rig, each with the 95 % interval from which the interval of the loss is sampled.
     ///
     /// `asperity calibrate` writes this table. A parameter that is left out keeps its default and its range.
     #[derive(Default)]
@@ -18,9 +18,9 @@ table! {
     source: Option<String>;
     /// Whether the measurements were simulated, as in a rehearsal; every result then says so (W446). Default false.
     simulated: Option<bool>;
-    /// Coefficient of boundary friction μ_b, in place of `model.boundary_friction`.
+    /// Coefficient of boundary friction μ_b, instead of `model.boundary_friction`.
     boundary_friction: Option<Estimate<f64>> = "" usual [0.02, 0.5] possible [0.001, 5.0];
-    /// Thickness of the boundary layer h_b, in place of `model.boundary_layer`.
+    /// Thickness of the boundary layer h_b, instead of `model.boundary_layer`.
     boundary_layer: Option<Estimate<Length>> = "nm" usual [0.5, 200.0] possible [0.001, 10_000.0];
     /// Limiting shear stress of the oil over its pressure, instead of the value of its family.
     limiting_shear: Option<Estimate<f64>> = "" usual [0.01, 0.2] possible [0.001, 2.0];

@@ -39,7 +39,7 @@ table! {
     /// The meshes by their names, each a table `[mesh.NAME]`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     mesh: BTreeMap<String, MeshInput> => table;
-    /// The set of a case that is a single planetary set, in place of `train` and `mesh`; its shafts are `sun`, `ring` and
+    /// The set of a case that is a single planetary set, instead of `train` and `mesh`; its shafts are `sun`, `ring` and
     /// `carrier`.
     #[serde(skip_serializing_if = "Option::is_none")]
     planetary: Option<PlanetaryInput> => table;

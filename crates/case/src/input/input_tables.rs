@@ -79,7 +79,7 @@ table! {
     /// tangent, as on inspection charts, default) or `normal` to the flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     amounts: Option<AmountDirection>;
-    /// Tolerance of the amounts of tip relief, used for the band of the loss factor; default none.
+    /// Tolerance of the amounts of tip relief, used for the interval of the loss factor; default none.
     #[serde(skip_serializing_if = "Option::is_none")]
     relief_tolerance: Option<Length> = "um" per module usual [0.1, 20.0] possible [0.001, 500.0];
 
@@ -355,7 +355,7 @@ table! {
     #[serde(skip_serializing_if = "Option::is_none")]
     finish: Option<FinishName>;
     /// Contact of the flanks: `lines`, each trace as ridges without an end along the lead; or `patch`, scans with all of their
-    /// rows; with one scan, the surface of the other flank is made from its trace with its `model.lay`. Default `lines`; of a scan without
+    /// rows; with one scan, the surface of the other flank is generated from its trace with its `model.lay`. Default `lines`; of a scan without
     /// `row` or `line` `patch`, if the lay of one flank is above 1/6.
     #[serde(skip_serializing_if = "Option::is_none")]
     contact: Option<ContactName>;
@@ -422,12 +422,12 @@ table! {
 
     /// File of the trace, relative to the case file.
     file: Option<PathBuf>;
-    /// Several traces in place of `file`, each of a tooth of its own: `["tooth1.csv", "tooth2.csv"]`, a pattern as
+    /// Several traces instead of `file`, each of a tooth of its own: `["tooth1.csv", "tooth2.csv"]`, a pattern as
     /// `"pinion_*.csv"` whose files are taken by name, or tables with `tooth`, `y` (place across the face) and a place
     /// of their own. All pairs of teeth are computed, and the loss is their mean.
     #[serde(skip_serializing_if = "Option::is_none")]
     traces: Option<TraceList> => table;
-    /// Measured traces of one finish in place of `file`, as a list or pattern: as many flanks are generated like them as there are
+    /// Measured traces of one finish instead of `file`, as a list or pattern: as many flanks are generated like them as there are
     /// traces, each of a tooth of its own, so that the loss has the scatter of generated flanks.
     #[serde(skip_serializing_if = "Option::is_none")]
     like: Option<TraceList> => table;
@@ -438,7 +438,7 @@ table! {
     /// State of the generated flanks from before the test, 0, to `after` it, 1, which is the default; heights are lost in proportion.
     #[serde(skip_serializing_if = "Option::is_none")]
     state: Option<f64> = "" usual [0.0, 1.0] possible [0.0, 1.0];
-    /// Engagements of a tooth after which the flanks are generated, in place of `state`; default the last stage. Heights are
+    /// Engagements of a tooth after which the flanks are generated, instead of `state`; default the last stage. Heights are
     /// lost in proportion to engagements between two stages of `after`.
     #[serde(skip_serializing_if = "Option::is_none")]
     engagements: Option<f64> = "" usual [0.0, 1e10] possible [0.0, 1e15];

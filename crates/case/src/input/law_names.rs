@@ -19,7 +19,7 @@ pub enum LoadShareName {
     MasjediKhonsari,
     /// Johnson, Greenwood and Poon: the solved contact with the gap of the smooth film.
     Jgp,
-    /// Records of transient mixed lubrication at a few places of the path, interpolated between.
+    /// Transient reference solutions at a few places of the path, interpolated between.
     Ehl,
 }
 

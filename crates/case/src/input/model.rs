@@ -85,7 +85,7 @@ choices! {
     /// across the whole face width, to 1 or `isotropic`; default as measured on the surface of the traces, otherwise 1/12,
     /// the middle of measured ground flanks.
     lay: OneOrTwo<Lay> => [Lay; 2] = default(OneOrTwo::One(Lay::GROUND)) usual "" [0.0, 1.0];
-    /// Least share on the boundary layer of asperities that come into contact past the inlet; default 0.75, drawn from 0.6 to 0.9.
+    /// Least share on the boundary layer of asperities that come into contact past the inlet; default 0.75, sampled from 0.6 to 0.9.
     #[serde(skip_serializing_if = "Option::is_none")]
     inner_boundary: f64 = default(INNER_BOUNDARY) usual "" [0.05, 1.0],
         check("inner boundary", |b| (0.0..=1.0).contains(&b), "must be 0 to 1");
@@ -97,11 +97,11 @@ choices! {
     flash_feedback: bool = default(false);
     /// Share of the load carried by the film: `solved` (default; `paper`: `lambda-star`) from the rough contact; with `lambda-star`,
     /// `zhu-hu`, `masjedi-khonsari` and `jgp` all load on asperities rubs with the boundary coefficient;
-    /// `ehl` takes shares and friction from records of transient mixed lubrication, which take a minute or
+    /// `ehl` computes shares and friction from transient reference solutions, which need a minute or
     /// more.
     (crate) load_share: LoadShareName = default(LoadShareName::Solved);
     /// Source of a film that carries the whole load: `formulas` (default), `ehl`, the steady
-    /// elastohydrodynamic solution of smooth flanks, or `ehl-transient`, records with both traces.
+    /// elastohydrodynamic solution of smooth flanks, or `ehl-transient`, transient solutions with both traces.
     #[serde(skip_serializing_if = "Option::is_none")]
     full_film: FullFilmName = listed_if(false, FullFilmName::Formulas);
     /// Thickness of the oil layers of both flanks together ahead of the contact, where an oil jet does not flood the inlet;
@@ -144,27 +144,27 @@ choices! {
 }
 
 choices! {
-    /// Grid and length of the elastohydrodynamic solutions, and where records are kept.
+    /// Grid and length of the elastohydrodynamic solutions, and where reference solutions are stored.
     EhlInput =>
     /// Choices of the elastohydrodynamic solutions.
     EhlChoices in "model.ehl" by Choices<'_>;
 
     with {}
 
-    /// Number of records along the path of contact; default 8. Shares and friction are interpolated between
+    /// Number of reference solutions along the path of contact; default 8. Shares and friction are interpolated between
     /// them.
     records: usize = of_records(8) usual "" [2.0, 64.0],
-        check("records along the path", |n| (2.0..=64.0).contains(&n), "must be 2 to 64");
+        check("reference solutions along the path", |n| (2.0..=64.0).contains(&n), "must be 2 to 64");
     /// Number of cells along the contact, a multiple of 64; default 512.
     cells: usize = of_solutions(512) usual "" [64.0, 8192.0], check(
         "cells across the film",
         |n| n % 64.0 == 0.0 && (64.0..=8192.0).contains(&n),
         "must be a multiple of 64, 64 to 8192"
     );
-    /// Travel of a record in half-widths of the contact; default 20.
+    /// Travel of a reference solution in half-widths of the contact; default 20.
     travel: f64 = of_records(20.0) usual "" [2.0, 1000.0],
-        check("travel of a record", |a| (2.0..=1000.0).contains(&a), "must be 2 to 1000 half-widths");
-    /// Cache folder for records, so that none is solved twice: `user` (default), the cache folder of the user
+        check("travel of a reference solution", |a| (2.0..=1000.0).contains(&a), "must be 2 to 1000 half-widths");
+    /// Cache folder for reference solutions, so that none is solved twice: `user` (default), the cache folder of the user
     /// (`asperity` in `$XDG_CACHE_HOME`, `~/.cache` or `%LOCALAPPDATA%`), a folder relative to the case file,
     /// or `off`.
     cache: String = of_records("user".to_owned());
@@ -248,7 +248,7 @@ impl Choices<'_> {
         self.listed_if(key, stated, self.has_solutions, default)
     }
 
-    /// A default of records along the path.
+    /// A default of reference solutions along the path.
     fn of_records<T: Serialize>(&mut self, key: Key, stated: Stated<T>, default: T) -> Choice<T> {
         self.listed_if(key, stated, self.has_records, default)
     }

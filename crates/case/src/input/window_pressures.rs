@@ -1,4 +1,4 @@
-//! Pressures of film and solids in a window as an extension point of a formulation, in place of the law of the load share.
+//! Pressures of film and solids in a window as an extension point of a formulation, instead of the law of the load share.
 
 use std::fmt::Debug;
 

@@ -47,13 +47,13 @@ pub(crate) const OWN_LAW: &str = "user-defined law";
 #[derive(Debug, Clone, Default)]
 #[non_exhaustive]
 pub struct Laws {
-    /// Smooth film thickness, in place of `model.film`.
+    /// Smooth film thickness, instead of `model.film`.
     pub film: Option<Arc<dyn FilmThicknessLaw>>,
-    /// Friction in the film, in place of `model.film_friction`.
+    /// Friction in the film, instead of `model.film_friction`.
     pub friction: Option<Arc<dyn FilmFriction>>,
-    /// Load over the teeth, in place of `model.load_distribution`.
+    /// Load over the teeth, instead of `model.load_distribution`.
     pub load_distribution: Option<Arc<dyn LoadDistribution>>,
-    /// Film against asperities, in place of `model.load_share`.
+    /// Film against asperities, instead of `model.load_share`.
     pub load_share: Option<Arc<dyn LoadShare>>,
 }
 

@@ -216,7 +216,7 @@ impl Mending {
         self.replaced.insert(part.to_owned()) && put_right(input, part, &self.right).is_some()
     }
 
-    /// The case, with valid values in place of those that cannot be read.
+    /// The case, with valid values instead of those that cannot be read.
     fn read(
         &mut self,
         mut table: Table,

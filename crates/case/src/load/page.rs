@@ -40,7 +40,7 @@ pitch-line speed.
 
 const SYMBOLS: &str = "\
 The symbols of a gear drawing are read as these keys (W202 names each). Those of `gears`, `operation` and `lubricant` may \
-also be written above all tables: `z = [23, 68]`. A text in place of a flank is its file: `surface.pinion = \"flank.csv\"`. \
+also be written above all tables: `z = [23, 68]`. A text instead of a flank is its file: `surface.pinion = \"flank.csv\"`. \
 ";
 
 const TAIL: &str = "\

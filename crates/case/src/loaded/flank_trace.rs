@@ -122,7 +122,7 @@ pub(crate) fn traces_of(
         ));
     }
     if input.file.is_some() || input.rq.or(input.ra).or(input.rz).is_some() {
-        let rule = "stands in place of file and of rq, ra and rz; give one of them";
+        let rule = "is given instead of file and of rq, ra and rz; give one of them";
         return Err(section.conflict("traces", rule));
     }
     flank_sample::listed(input, ("traces", list), section, context.files)

@@ -50,7 +50,7 @@ pub(crate) fn generated(
     let section = Section::of(context.source, keys.table);
     let of_value = input.rq.or(input.ra).or(input.rz).is_some();
     if input.file.is_some() || input.traces.is_some() || input.rows.is_some() || of_value {
-        let rule = "stands in place of file, traces, rows, rq, ra and rz; give one of them";
+        let rule = "is given instead of file, traces, rows, rq, ra and rz; give one of them";
         return Err(section.conflict("like", rule));
     }
     let before = measured_traces(input, ("like", list), keys, context)?;

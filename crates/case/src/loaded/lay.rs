@@ -36,7 +36,7 @@ impl Lays {
             .filter(|_| lay != FlankLay::ASSUMED)
     }
 
-    /// The medians with their row among the defaults, in place of the default of a case that states none; `None` where no surface
+    /// The medians with their row among the defaults, instead of the default of a case that states none; `None` where no surface
     /// shows them.
     pub(crate) fn in_place_of_default(&self) -> Option<([Lay; 2], DefaultUsed)> {
         let medians = self.of_flanks.map(|lay| lay.at(0.0));

@@ -178,7 +178,7 @@ impl LoadedCase {
         self.derived.flanks.value().lays.of_flanks
     }
 
-    /// Lay of both flanks together, if the load share depends on it and exceeds the lay of every record of mixed lubrication.
+    /// Lay of both flanks together, if the load share depends on it and exceeds the lay of every reference solution.
     ///
     /// # Errors
     /// When the law of two lays refuses the roughness of the flanks.
@@ -399,7 +399,7 @@ impl LoadedCase {
         }
     }
 
-    /// Cache folder of records of mixed lubrication; `None` if the case disables it, has no files, or the user has no cache
+    /// Cache folder of reference solutions; `None` if the case disables it, has no files, or the user has no cache
     /// folder.
     pub fn record_folder(&self) -> Option<PathBuf> {
         let beside = self.files.folder()?;

@@ -121,7 +121,7 @@ impl NamedTraces {
         if self.has_own_wheel { 2 } else { 1 }
     }
 
-    /// Names rows of the scan of a flank, as `rows` does, in place of those named before.
+    /// Names rows of the scan of a flank, as `rows` does, instead of those named before.
     pub(crate) fn take_rows(
         &mut self,
         body: usize,

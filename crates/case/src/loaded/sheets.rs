@@ -107,10 +107,10 @@ fn made_from_trace(
     );
     let how = match made.seed {
         None => "ridges across the face, the trace at every place along the lead".to_owned(),
-        Some(seed) => format!("drawn with its heights and its autocorrelation (seed {seed})"),
+        Some(seed) => format!("random with its heights and its autocorrelation (seed {seed})"),
     };
     let text = format!(
-        "{file}: the surface of the {gear} is made from its trace with the {origin} lay {lay}: {how}{next}"
+        "{file}: the surface of the {gear} is generated from its trace with the {origin} lay {lay}: {how}{next}"
     );
     Warning::new(Code::W458, text)
 }

@@ -57,7 +57,7 @@ pub(crate) fn surrogates_of(
         assumed.push(DefaultUsed {
             key: "surface.noise_cutoff".into(),
             value: "\"2.5 um\" to \"25 um\"".to_owned(),
-            source: Some("of the stated roughness values, drawn for each surrogate pair".into()),
+            source: Some("of the stated roughness values, sampled for each surrogate pair".into()),
         });
     }
     let is_open = known_flanks().any(KnownFlank::is_open);

@@ -45,7 +45,7 @@ impl MeshPlace {
     }
 }
 
-/// The parts with losses besides the meshes.
+/// The parts with losses in addition to the meshes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gearbox {
     /// Temperature of their oil; `None` for the temperature of the operation.

@@ -253,7 +253,7 @@ pub(crate) fn note_relief(
             1e3 * AssumedRelief::LENGTH * assumed.roll_length.si(),
         ];
         format!(
-            "{amount:.1} um over {length:.1} mm of roll length, drawn from 0 to {:.1} um",
+            "{amount:.1} um over {length:.1} mm of roll length, sampled from 0 to {:.1} um",
             2.0 * amount
         )
     });

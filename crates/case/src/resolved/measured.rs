@@ -19,7 +19,7 @@ pub enum Measured {
 }
 
 impl UncertainParameter {
-    /// Value and 95 % band by measurements that the case names.
+    /// Value and 95 % interval by measurements that the case names.
     #[must_use]
     pub fn measured(self, case: &Case) -> Option<(Estimate, Measured)> {
         let calibration = case.input.calibration.as_ref();

@@ -1,4 +1,4 @@
-//! The oil file: constants of the film friction of one oil, fitted to traction curves, with their 95 % bands.
+//! The oil file: constants of the film friction of one oil, fitted to traction curves, with their 95 % intervals.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -60,7 +60,7 @@ pub enum OilSchema {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct FittedFriction {
-    /// Law of pressure of the fit, in place of the default of `model.film_pressure_law`.
+    /// Law of pressure of the fit, instead of the default of `model.film_pressure_law`.
     pub pressure_law: PressureLaw,
     /// Eyring stress.
     pub eyring_stress: OilConstant<Pressure>,
@@ -90,12 +90,12 @@ pub struct FittedFriction {
     pub doubts: Vec<String>,
 }
 
-/// A fitted constant with its 95 % band.
+/// A fitted constant with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct OilConstant<T> {
-    /// Value and 95 % band.
+    /// Value and 95 % interval.
     #[serde(flatten)]
     pub fitted: Estimate<T>,
     /// Whether the curves determine it; default true. If not, value and band are mostly those of the family.
@@ -192,7 +192,7 @@ impl FittedFriction {
         1.0 / (1.0 + (0.5 * (self.fit.other_law - self.fit.this_law)).exp())
     }
 
-    /// Value and 95 % band of a constant in SI units.
+    /// Value and 95 % interval of a constant in SI units.
     #[must_use]
     pub fn of(&self, name: FittedName) -> Estimate {
         match name {
@@ -354,14 +354,14 @@ impl OilFile {
         if fitted.is_far(temperature) {
             let [low, high] = fitted.temperature_range().map(Temperature::celsius);
             limit(format!(
-                "the curves were measured at {low:.0} to {high:.0} °C, the flanks are at {:.0} °C: the film friction is drawn with an error of {:.0} %",
+                "the curves were measured at {low:.0} to {high:.0} °C, the flanks are at {:.0} °C: the film friction is sampled with an error of {:.0} %",
                 temperature.celsius(),
                 100.0 * fitted.law_error(temperature)
             ));
         }
         if fitted.fit.chi2_per_point > POORLY_EXPLAINED {
             limit(format!(
-                "the law explains the curves poorly, the residuals are {:.1} times the stated errors: the film friction is drawn with an error of {:.0} %",
+                "the law explains the curves poorly, the residuals are {:.1} times the stated errors: the film friction is sampled with an error of {:.0} %",
                 fitted.fit.chi2_per_point.sqrt(),
                 100.0 * fitted.law_error(temperature)
             ));

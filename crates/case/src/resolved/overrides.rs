@@ -12,7 +12,7 @@ use super::oil_at::OilAt;
 use crate::input::law_names::LoadShareName;
 use crate::input::model::Model;
 
-/// Values in place of those that a case resolves to. They are passed in addition to its keys, hold at every other temperature, load and
+/// Values instead of those that a case resolves to. They are passed in addition to its keys, hold at every other temperature, load and
 /// key, and are part of its [fingerprint](crate::case::LoadedCase::fingerprint).
 ///
 /// ```
@@ -52,7 +52,7 @@ pub struct Overrides {
     pub alternative: Option<Alternative>,
 }
 
-/// A model in place of that of the case.
+/// A model instead of that of the case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Alternative {

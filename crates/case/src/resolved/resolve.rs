@@ -241,7 +241,7 @@ pub(crate) struct OfFiles<'a> {
 
 /// What the flanks of a case add to its keys.
 pub(crate) struct OfFlanks<'a> {
-    /// Values of the files of the traces, in place of defaults.
+    /// Values of the files of the traces, instead of defaults.
     pub assumed: &'a [DefaultUsed],
     /// Lay of both flanks, and its row among the defaults, where the case states none and a surface shows it.
     pub lay: Option<([Lay; 2], DefaultUsed)>,
@@ -326,7 +326,7 @@ impl Case {
         }
     }
 
-    /// The case with user-defined laws, which are named among the defaults in place of the laws that they replace.
+    /// The case with user-defined laws, which are named among the defaults instead of the laws that they replace.
     pub(crate) fn with_laws(mut self, laws: Laws) -> Self {
         for row in laws.rows() {
             self.0.defaults.retain(|default| default.key != row.key);
@@ -518,7 +518,7 @@ fn film_oil(
     })
 }
 
-/// Lists the thermal conductivity of a film with constants of its base oil in place of the one by density.
+/// Lists the thermal conductivity of a film with constants of its base oil instead of the one by density.
 fn assume_conductivity(
     lubricant: &Lubricant,
     rheology: Option<&FilmRheology>,

@@ -23,7 +23,7 @@ pub enum ShareLaw {
     LambdaStar,
     /// A published law.
     Published(PublishedShare),
-    /// Records of transient mixed lubrication at a few places of the path, interpolated between.
+    /// Transient reference solutions at a few places of the path, interpolated between.
     Reference,
     /// A user-defined law.
     Own {

@@ -244,7 +244,7 @@ fn body(
         .map_or_else(Standards::of_unspecified_grade, Standards::of);
     harden(&mut standards, stated, steel.as_ref(), notes).map_err(section.domain("hardness"))?;
     if steel.as_ref().is_some_and(SteelPreset::is_powder_metal) {
-        let rule = "powder-metal needs density beside it, from which its constants follow, e.g. density = \"7.1 g/cm3\"";
+        let rule = "powder-metal needs density as well, from which its constants follow, e.g. density = \"7.1 g/cm3\"";
         let density = stated
             .density
             .ok_or_else(|| section.conflict("steel", rule))?;

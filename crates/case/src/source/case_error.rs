@@ -78,7 +78,7 @@ impl CaseError {
             .with(Remedy::act("check the path"))
     }
 
-    /// A folder in place of a case file.
+    /// A folder instead of a case file.
     #[cfg(feature = "case-files")]
     pub(crate) fn folder(file: &str) -> Self {
         Self::new(
@@ -316,7 +316,7 @@ impl CaseError {
         mean: Length,
         lines: Length,
     ) -> Self {
-        Self::at(Code::E141, format!("{file}: the mean of the surface has Rq {mean:.3}, single lines {lines:.3}: roughness that does not run across the whole surface is averaged out{}", named(&place, None)), place).with(Remedy::set(Setting::Rows, Value::This("8".into())).because("in place of line"))
+        Self::at(Code::E141, format!("{file}: the mean of the surface has Rq {mean:.3}, single lines {lines:.3}: roughness that does not run across the whole surface is averaged out{}", named(&place, None)), place).with(Remedy::set(Setting::Rows, Value::This("8".into())).because("instead of line"))
     }
 
     /// A profile that cannot be prepared.

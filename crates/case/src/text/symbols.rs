@@ -1,4 +1,4 @@
-//! Symbols of a gear drawing and short forms in place of the keys of a case file.
+//! Symbols of a gear drawing and short forms instead of the keys of a case file.
 //!
 //! A symbol is read in the table of its key (`gears.z`) or, if only one table has it, above all tables (`z`). Where both
 //! the symbol and its key are written, the symbol stays an unknown key.

@@ -21,7 +21,7 @@ use crate::strip_kernel::strip_column;
 
 /// Most patches that are solved directly (own choice): a factor of n patches takes n³/6 products.
 const MOST_PATCHES: usize = 48;
-/// Most displacements that are stored (own choice): a solution takes as many products, in place of a transform.
+/// Most displacements that are stored (own choice): a solution takes as many products, instead of a transform.
 const MOST_VALUES: usize = 1 << 14;
 
 /// Displacements by forces on few patches, and the factor of their means.

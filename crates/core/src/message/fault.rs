@@ -84,7 +84,7 @@ impl Fault {
         self
     }
 
-    /// The same error with advice as text, in place of the general advice of its code.
+    /// The same error with advice as text, instead of the general advice of its code.
     #[must_use]
     pub fn helping(mut self, help: impl Into<Cow<'static, str>>) -> Self {
         self.0.help = Some(help.into());

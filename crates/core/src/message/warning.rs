@@ -27,11 +27,11 @@ pub enum Subject {
     PressureViscosity,
     /// Tip relief that is not stated.
     TipRelief,
-    /// Error of the fast model.
+    /// Error of the model.
     FastModel,
     /// Sampling of the flanks.
     Sampling,
-    /// Lay beyond the records of mixed lubrication.
+    /// Lay above 1/3.
     Lay,
     /// Oil that replaces the oil of the case.
     Oil,

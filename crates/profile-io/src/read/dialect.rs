@@ -395,7 +395,7 @@ fn first_row(
     previous.then(|| lines.len() - 1)
 }
 
-/// The first of the rows above the row `first` in which a word that occurs again is in place of a number.
+/// The first of the rows above the row `first` in which a word that occurs again is instead of a number.
 fn first_marked(lines: &[Line<'_>], dialect: Dialect, columns: usize, first: usize) -> usize {
     let occurs_again = |word: &&str| {
         let cells = lines.iter().flat_map(|line| dialect.cells(line.text));

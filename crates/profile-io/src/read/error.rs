@@ -293,7 +293,7 @@ impl ReadFault {
         )
     }
 
-    /// A file in place of a table as text.
+    /// A file instead of a table as text.
     pub(super) fn not_table(format: Format) -> Self {
         Self::new(
             Code::E108,

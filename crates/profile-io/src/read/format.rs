@@ -60,7 +60,7 @@ formats! {
     SurfcomText "Surfcom text profile" [] [] ONE;
     /// Measuring conditions of a Surfcom trace (tx3).
     SurfcomConditions "Surfcom measuring conditions (tx3)" [] [] ONE
-        "read the .tx1 (primary) or .tx2 (roughness) file beside it, which holds the heights";
+        "read the .tx1 (primary) or .tx2 (roughness) file next to it, which has the heights";
     /// ISO 25178-72.
     X3p "X3P (ISO 25178-72)" [] ["x3p"] SEVERAL UNPACKED;
     /// A workbook as a zip.

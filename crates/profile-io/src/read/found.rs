@@ -28,7 +28,7 @@ pub(super) struct Found {
     pub warnings: Vec<Warning>,
     pub encoding: Option<Encoding>,
     pub table: Option<TableLayout>,
-    /// Word in place of the first missing height, if no line has its own height.
+    /// Word instead of the first missing height, if no line has its own height.
     pub mark: Option<String>,
     /// Line of the first height in the file, if each height has its line.
     pub first_line: Option<usize>,

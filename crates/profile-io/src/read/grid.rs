@@ -254,7 +254,7 @@ pub(super) fn counts_points(x: &[f64]) -> bool {
 }
 
 /// The point `at`, from 0, of the trace that `options` ask for, in words: a missing point that no line of the file has, with the
-/// word that the file has in place of its height.
+/// word that the file has instead of its height.
 pub(super) fn node(at: usize, options: &ReadOptions, mark: Option<&str>) -> String {
     let point = at + 1;
     let place = match (options.line, options.row) {

@@ -168,7 +168,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
         Ok(Lengths::Metres(heights))
     }
 
-    /// Heights of the rows that `is_wanted`, and the number of all rows; the first word in place of a height is stored.
+    /// Heights of the rows that `is_wanted`, and the number of all rows; the first word instead of a height is stored.
     fn rows(
         &self,
         text: &mut Text<'_>,

@@ -53,7 +53,7 @@ impl FileDialect {
     /// The remedy; `single` is the remedy of a single fault, in the text of an instrument or in a table.
     pub(super) fn remedy(&self, single: Remedy, is_of_instrument: bool) -> Remedy {
         match self {
-            Self::Mark(_) => Remedy::act("write NaN in place of the mark"),
+            Self::Mark(_) => Remedy::act("write NaN instead of the mark"),
             Self::Unit(unit) if is_of_instrument => {
                 Remedy::act(format!("remove \"{unit}\" from all heights"))
             }

@@ -132,7 +132,7 @@ impl Suspicion {
             Self::Unit { likely, .. } => {
                 Remedy::set(Setting::ZUnit, Value::This(likely.to_string().into()))
             }
-            Self::Scale { .. } => Remedy::act("export the heights anew, as text with their unit"),
+            Self::Scale { .. } => Remedy::act("export the heights again, as text with their unit"),
             Self::Sentinel { .. } => Remedy::act("write NaN for the missing points"),
             Self::Edge { from, to } => {
                 let range = format!("{:.2} mm .. {:.2} mm", 1e3 * from.si(), 1e3 * to.si());

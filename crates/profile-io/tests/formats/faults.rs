@@ -63,7 +63,7 @@ fn many_bad_heights_of_an_instrument_say_what_the_file_seems_to_be() {
             "mark",
             &|_| "1.#LOST".to_owned(),
             "mark missing points with \"1.#LOST\"",
-            "Write NaN in place of the mark",
+            "Write NaN instead of the mark",
         ),
         (
             "unit",

@@ -1,4 +1,4 @@
-//! Words in place of heights, thousands separators, and distances from a sensor.
+//! Words instead of heights, thousands separators, and distances from a sensor.
 
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{

@@ -221,7 +221,7 @@ class Case(Fixed):
         load_share: Optional[Law] = None,
         load_distribution: Optional[Law] = None,
     ) -> Case:
-        """The case with laws written in Python in place of its own.
+        """The case with laws written in Python instead of its own.
 
         A law is a function of one argument or an object with ``__call__``: a `Record` of arrays in SI units, over the
         offsets of the traces at a mesh position. It returns an array or a number, or a dictionary of them. Results name

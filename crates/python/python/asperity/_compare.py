@@ -31,7 +31,7 @@ Variant = Union[Finish, CaseKeys]
 
 
 def _quantiles(finish: Mapping[str, Any]) -> Any:
-    """5 and 95 % quantiles of the loss of a finish, of a pair of gears or a gear train; None without draws."""
+    """5 and 95 % quantiles of the loss of a finish, of a pair of gears or a gear train; None without samples."""
     uncertainty = finish.get("uncertainty")
     found = uncertainty["loss"] if uncertainty else finish.get("loss_distribution")
     return found and found["quantiles_w"]
@@ -58,9 +58,9 @@ def cases_of(case: CaseLike, finishes: Optional[Mapping[str, Variant]]) -> list[
 class Comparison(Study, ComparisonValues):
     """Variants side by side; the first is the one that the others are compared with.
 
-    ``finishes`` (name, loss_w, uncertainty, difference ...; of a gear train loss_distribution and meshes in place of
+    ``finishes`` (name, loss_w, uncertainty, difference ...; of a gear train loss_distribution and meshes instead of
     uncertainty), ``correlations`` (parameter, with_loss, within_finishes). The ``difference`` of a finish is taken draw by draw: ``median_w``, ``quantiles_w`` (5 and 95 %),
-    ``probability`` of its sign, ``models``, ``common`` (the components whose draws both have in common), and ``verdict``: ``"equal"``, ``"holds"``, ``"undecided"``, or ``except`` with
+    ``probability`` of its sign, ``models``, ``common`` (the components whose samples both have in common), and ``verdict``: ``"equal"``, ``"holds"``, ``"undecided"``, or ``except`` with
     the models that have the other sign. ``deciding`` has the measurements that narrow it, and ``changes`` the keys that differ.
     """
 

@@ -193,7 +193,7 @@ def solve_contact(
         modulus: reduced modulus E* = 1/Σ((1 − ν²)/E), Pa.
         load: load per metre of face width, of a patch its mean, N/m; of a period where the ends are periodic.
         lead_spacing: distance of the rows of a patch, m.
-        approach: approach of the bodies in place of a load, m.
+        approach: approach of the bodies instead of a load, m.
         datum: distance at which the displacement by a cell is zero, m; default twice the window.
         boundary: ``"free"``, ``"periodic"`` or ``"periodic-spectral"``.
         pressure_limit: pressure at which the softer body flows, Pa.

@@ -80,10 +80,10 @@ def ehl(
         case: the case, both of whose flanks have traces.
         position: place on the path, 0 at A and 1 at E; default that of the case.
         cells: cells across the film, a multiple of 64.
-        half_widths: travel of a record in Hertz half-widths.
+        half_widths: travel of a reference solution in Hertz half-widths.
         start: travel before the record begins.
         records: records from other places of the traces, whose mean is given.
-        eyring_stress: Eyring stress in place of the one of the base oil, ``"5 MPa"``.
+        eyring_stress: Eyring stress instead of the one of the base oil, ``"5 MPa"``.
         compare: whether the laws of load sharing are set beside it (``comparison``).
         threads, progress: as in `Case.run`. Ctrl-C ends the work.
 

@@ -172,7 +172,7 @@ def _inline(value: Any) -> str:
 
 
 def vehicle_keys(vehicle: Optional[Mapping[str, Any]]) -> list[tuple[str, Optional[str]]]:
-    """Keys of a vehicle in place of those of a case."""
+    """Keys of a vehicle instead of those of a case."""
     return changes({"vehicle": dict(vehicle)} if vehicle else {}, "gears", [])
 
 

@@ -110,7 +110,7 @@ def demo(
 
     Parameters:
         folder: the folder; default ``demo``, the name of the gears, or ``table2``.
-        gears: gears of the library in place of the electric drive.
+        gears: gears of the library instead of the electric drive.
         paper: Table 2 of the 2022 paper on a damaged flank.
 
     Returns:

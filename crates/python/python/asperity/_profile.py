@@ -625,7 +625,7 @@ def generate_like(
         traces: profiles of one finish and spacing, or their paths.
         after: traces of the same places after a test, in the same order; of several stages ``{engagements: traces}``.
         state: part of the way from before the test, 0, to after it, 1, the default.
-        engagements: engagements of a tooth of the flank wanted, in place of ``state``; default those of the last stage.
+        engagements: engagements of a tooth of the flank wanted, instead of ``state``; default those of the last stage.
         method: ``"pieces"`` or ``"spectrum"``, for traces without ``after``.
         seed: equal seeds give equal heights.
         name: name for charts and messages.
@@ -651,7 +651,7 @@ def generate_like(
     for excluded, text, help in (
         (after is None and is_of_place, "state and engagements are of a test", "Give after, the traces after it."),
         (after is not None and method is not None, "flanks in a state of a test are made of pieces", "Leave method out."),
-        (is_by_stage and state is not None, "after has engagements", "Give engagements in place of state."),
+        (is_by_stage and state is not None, "after has engagements", "Give engagements instead of state."),
         (not is_by_stage and engagements is not None, "after has no engagements", "Give after as {engagements: traces}."),
     ):
         if excluded:

@@ -140,7 +140,7 @@ class RunResult(Values, ResultValues):
 
     @property
     def loss_w(self) -> float:
-        """All losses, W: the median of the draws, without draws the loss of the run."""
+        """All losses, W: the median of the samples, without samples the loss of the run."""
         return float(self._summary()["loss_w"])
 
     @property

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class Ridges(Study, RidgesValues):
-    """Costliest ridges: ``loss_at_medians_w``, ``pressed_at_medians_w`` of a run with all of them pressed to the mean line,
+    """Costliest ridges: ``loss_at_medians_w``, ``pressed_at_medians_w`` of a run with all of them removed down to the mean line,
     ``by_log_height_w``, with every constant at its median.
 
     The gradient holds windows and sets of the contacts; running-in is not in it.
@@ -34,4 +34,4 @@ class Ridges(Study, RidgesValues):
 
     def __repr__(self) -> str:
         saved = self._values["loss_at_medians_w"] - self._values["pressed_at_medians_w"]
-        return f"<Ridges {self._values['title']!r}: pressing {len(self._values['rows'])} ridges saves {saved:.3g} W>"
+        return f"<Ridges {self._values['title']!r}: removing {len(self._values['rows'])} ridges saves {saved:.3g} W>"

@@ -58,8 +58,8 @@ def compare(
 ) -> Comparison:
     """Compare finishes, oils, gears and other variants of a case, with paired differences.
 
-    The first is the reference for the others. Two variants have the draws of a constant in common where the thing
-    that it belongs to is the same in both, as the Eyring stress of one oil. Where it differs each has draws of its
+    The first is the reference for the others. Two variants have the samples of a constant in common where the thing
+    that it belongs to is the same in both, as the Eyring stress of one oil. Where it differs each has samples of its
     own. A variant that names an oil leaves out all other numbers of the oil of the case, and its calibration.
 
     Parameters:
@@ -113,7 +113,7 @@ def map(
     """Losses over torque, speed and temperature, in both directions of the power.
 
     The losses are of the mesh only, without bearings, seals and churning. Every point is the run at this torque,
-    speed and temperature; the median of its loss and the quantiles (loss_p05_w, loss_p95_w) are from draws at three
+    speed and temperature; the median of its loss and the quantiles (loss_p05_w, loss_p95_w) are from samples at three
     torques and three speeds.
 
     Parameters:
@@ -171,15 +171,15 @@ def cycle(
 ) -> Cycle:
     """Energy lost over a driving cycle, from a map.
 
-    The loss torque is interpolated between the points of the map; its interval follows from the draws of the map.
+    The loss torque is interpolated between the points of the map; its interval follows from the samples of the map.
 
     Parameters:
         map: the map.
         trace: file, frame or columns: time_s, and torque_nm with speed_rpm at the pinion, or speed_km_h.
-        vehicle: keys of `[vehicle]`, ``{"mass": "1600 kg"}``, in place of those of the case.
+        vehicle: keys of `[vehicle]`, ``{"mass": "1600 kg"}``, instead of those of the case.
         temperature_c, temperature: temperature of the flanks in °C, one of the map [default: next to the temperature of
             the case].
-        columns: names of the columns of a cycle without names, or in place of its own, e.g. time_s,speed_km_h; - leaves
+        columns: names of the columns of a cycle without names, or instead of its own, e.g. time_s,speed_km_h; - leaves
             one out.
         allow_outside: permit more than 5 % of the energy of the cycle outside of the map, where the ratio of loss to
             torque is constant.
@@ -245,7 +245,7 @@ def ridges(
     """Ridges of both flanks that cost most, and the loss by wavelength.
 
     The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and a run with
-    the twenty costliest ridges pressed to the mean line.
+    the twenty costliest ridges removed down to the mean line.
 
     Parameters:
         case: the case.
@@ -343,7 +343,7 @@ def profile_change(
     the trace rose, other valleys may have risen as well: the height gained is then also a standard deviation of the
     height removed. Parameters follow ISO 4287 with sections of 0.25 mm over the common length. A noise floor is the
     change that noise makes in one of twenty comparisons. With a case, its flanks are the traces over the common
-    length, before and after the test. Each pair is a tooth. Both runs share all draws but two. The errors of the
+    length, before and after the test. Each pair is a tooth. Both runs share all samples except two. The errors of the
     model are correlated by the concordance of the changed heights. The sampling error follows from the differences of
     the windows. A trace without a stated place lies at any place of the flank, and the interval of the wear
     coefficient contains this. operation.running_in presses the flanks before the test into each other and removes
@@ -703,7 +703,7 @@ def oil_fit(
         rq: root mean square roughness of both specimens together.
         ball_radius: radius of the ball, unless a row states it.
         second_radius: radius of the second body, unless a row states it [default: a flat disc].
-        wide: leave the constants to the points, with wide priors in place of the family.
+        wide: leave the constants to the points, with wide priors instead of the family.
         zero: zeros of the friction.
         point_sd: standard deviation of points without sigma, relative to the friction.
         point_floor: least standard deviation of the friction coefficient of such points.
@@ -762,7 +762,7 @@ def oil_plan(
         rq: root mean square roughness of both specimens together.
         ball_radius: radius of the ball, unless a row states it.
         second_radius: radius of the second body, unless a row states it [default: a flat disc].
-        wide: leave the constants to the points, with wide priors in place of the family.
+        wide: leave the constants to the points, with wide priors instead of the family.
         zero: zeros of the friction.
         point_sd: standard deviation of points without sigma, relative to the friction.
         point_floor: least standard deviation of the friction coefficient of such points.

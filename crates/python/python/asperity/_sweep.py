@@ -247,9 +247,9 @@ def sweep(
             ``vary`` (by key, or as in axes by the operating point, ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
         columns: results of the summary, of a mesh of a gear train ``mesh.NAME.loss_w``; default efficiency, losses,
             equivalent friction, mixed share. ``loss_p05_w``, ``loss_p95_w`` and ``loss_at_medians_w`` draw the interval;
-            ``loss_w`` is then the median of the draws.
+            ``loss_w`` is then the median of the samples.
         detail: ``"losses"`` or ``"contacts"``.
-        study: a study file in place of all these (docs/FILE_FORMATS.md).
+        study: a study file instead of all these (docs/FILE_FORMATS.md).
         folder: folder that files of the sample are relative to.
         threads, progress: as in `Case.run`.
 

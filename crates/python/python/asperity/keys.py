@@ -15,7 +15,7 @@ from ._quantity import PintLike, Quantity
 
 
 class CalibrationInput(TypedDict, total=False):
-    """Parameters calibrated on a rig, each with the 95 % band that the band of the loss is drawn from."""
+    """Parameters calibrated on a rig, each with the 95 % interval from which the interval of the loss is sampled."""
 
     boundary_friction: Optional[Estimate]
     boundary_layer: Optional[Estimate2]
@@ -280,7 +280,7 @@ class ModelInput(TypedDict, total=False):
 
 
 class EhlInput(TypedDict, total=False):
-    """Grid and length of the elastohydrodynamic solutions, and where records are kept."""
+    """Grid and length of the elastohydrodynamic solutions, and where reference solutions are stored."""
 
     cache: Optional[str]
     cells: Optional[int]

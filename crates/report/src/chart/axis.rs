@@ -27,7 +27,7 @@ pub struct Axis {
     pub zero: bool,
     /// Whether values increase downwards, for depths.
     pub downward: bool,
-    /// Fixed range in place of the range of the data.
+    /// Fixed range instead of the range of the data.
     pub limits: Option<[f64; 2]>,
     /// Whether all charts of a page over this axis share a cursor.
     pub is_shared: bool,
@@ -233,7 +233,7 @@ fn power_of_ten(power: i32) -> String {
     format!("10{sign}{}", raised.collect::<String>())
 }
 
-/// Text with minus signs in place of hyphens.
+/// Text with minus signs instead of hyphens.
 fn minus(text: &str) -> String {
     text.replace('-', "−")
 }

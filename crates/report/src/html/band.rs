@@ -52,9 +52,9 @@ pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Ma
 pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
     html! {
         p {
-            "The median and the 5 to 95 % of the loss are over " (uncertainty.draws) " draws. The draws interpolate "
+            "The median and the 5 to 95 % of the loss are over " (uncertainty.draws) " samples. The samples interpolate "
             (uncertainty.evaluations) " evaluations (error of ln loss " (format!("{:.4}", uncertainty.interpolation_error))
-            "). Each component is drawn alone."
+            "). Each component is sampled alone."
         }
         p { "Sampling of the flanks: " (sampling(&uncertainty.sampling)) "." }
         h3 { "Constants" }
@@ -68,7 +68,7 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
             p { "Not varied, because the case states it: " (uncertainty.held.join(", ")) "." }
         }
         h3 { "Other models, and the evidence against them" }
-        p { "Each other model has its constants at their medians; its loss is scaled as the run to the median of the draws. The draws use no model with evidence against it. The loss of such a model may still lie inside the interval." }
+        p { "Each other model has its constants at their medians; its loss is scaled as the run to the median of the samples. The samples use no model with evidence against it. The loss of such a model may still be inside the interval." }
         (models(uncertainty))
     }
 }

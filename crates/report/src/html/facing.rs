@@ -172,7 +172,7 @@ fn caption(
     let contact = temperatures::bulk(result) + row.flash_k;
     parts.push(format!("mean contact temperature {contact:.0} °C"));
     format!(
-        "{}. Heights are drawn {exaggeration:.0} times as large as lengths.",
+        "{}. Heights are shown {exaggeration:.0} times as large as lengths.",
         parts.join("; ")
     )
 }

@@ -25,7 +25,7 @@ pub(super) fn tiles(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> V
     ]
 }
 
-/// The parts besides the mesh.
+/// The parts in addition to the mesh.
 pub(crate) fn section(gearbox: &GearboxReport, has_band: bool) -> Markup {
     let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
     let losses = stated_parts(&losses);

@@ -222,10 +222,10 @@ fn parts(result: &RunResult) -> Vec<Tile> {
     parts.map(tile).chain(regime).collect()
 }
 
-/// The loss by published friction laws, each in place of film and asperity friction.
+/// The loss by published friction laws, each instead of film and asperity friction.
 pub(super) fn laws(result: &RunResult) -> Markup {
     html! {
-        h3 { "Published friction laws, each in place of film and asperity friction" }
+        h3 { "Published friction laws, each instead of film and asperity friction" }
         (other_models::published_laws(result))
         (source("friction_laws.csv"))
     }

@@ -17,9 +17,9 @@ pub(super) fn words(patch: &PatchTable) -> Markup {
     let [wide, long] = extents(patch);
     html! {
         p {
-            "Patches of the scans are in contact, of which " (format!("{wide:.0} by {long:.0}")) " µm are drawn. A spot is a peak of \
-             the pressure of the asperities; where the flanks stay apart, the picture of the spots is blank. The costliest tenth of \
-             the " (patch.spots) " spots makes " (format!("{:.0}", 100.0 * patch.costliest_tenth)) " % of the loss of all. The other \
+            "Patches of the scans are in contact, of which " (format!("{wide:.0} by {long:.0}")) " µm are shown. An asperity contact is a peak of \
+             the pressure of the asperities; where the flanks stay apart, the picture of the contacts is blank. The costliest tenth of \
+             the " (patch.spots) " contacts makes " (format!("{:.0}", 100.0 * patch.costliest_tenth)) " % of the loss of all. The other \
              charts of this section are of the middle row of each scan, solved as a line."
         }
     }
@@ -65,8 +65,8 @@ pub(super) fn drawings(patch: &PatchTable, source: &str) -> Vec<Drawing> {
         field(
             [
                 "patch-losses",
-                "Spots of the patch, coloured by the loss of each",
-                "loss of the spot [mW]",
+                "Asperity contacts of the patch, coloured by the loss of each",
+                "loss of the contact [mW]",
             ],
             losses.collect(),
             Some(levels(largest(&patch.spot_loss_mw))),

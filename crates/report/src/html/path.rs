@@ -35,7 +35,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     }
 }
 
-/// Table of the records of mixed lubrication on which the load share is based.
+/// Table of the reference solutions on which the load share is based.
 fn records(result: &RunResult) -> Markup {
     if result.records.is_empty() {
         return html! {};
@@ -43,8 +43,8 @@ fn records(result: &RunResult) -> Markup {
     let with_error =
         |value: f64, error: f64, digits: usize| format!("{value:.digits$} ({error:.digits$})");
     html! {
-        h3 { "Records of mixed lubrication" }
-        p { "Means over the travel, in brackets their standard errors; values are interpolated between the records." }
+        h3 { "Reference solutions" }
+        p { "Means over the travel, in brackets their standard errors; values are interpolated between the reference solutions." }
         (columns! { row in &result.records;
             number path_fraction "place, A to E" "" "{:.3}";
             number hertz_pressure_mpa "p₀" "MPa" "{:.0}";

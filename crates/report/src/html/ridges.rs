@@ -12,9 +12,9 @@ use crate::{Table, columns};
 
 /// Explanation of the colours.
 const COLOURS: &str = "The colour shows the height above the mean line times the gradient of the loss, per length of the trace. Its sum \
-    over a ridge is the saving by the gradient before pressing. Where it is negative, pressing the trace raises the loss: the \
-    load is given, and points that are pressed leave theirs to the points around them, whose signs can thus be opposite. A peak \
-    far above the others keeps them apart: pressing it brings more of them into boundary friction. The cursor shows the value.";
+    over a ridge is the saving by the gradient before the removal. Where it is negative, lowering the trace raises the loss: the \
+    load is given, and points that are lowered leave theirs to the points around them, whose signs can thus be opposite. A peak \
+    far above the others separates them: removing it brings more of them into boundary friction. The cursor shows the value.";
 
 /// The section of a run: the first ridges, or why there are none; empty if they were not sought.
 pub(super) fn section(result: &RunResult) -> Markup {

@@ -49,7 +49,7 @@ pub fn losses(result: &RunResult) -> Vec<LossRow> {
         .collect()
 }
 
-/// Row of `friction_laws.csv`: a published friction law in place of film and asperity friction.
+/// Row of `friction_laws.csv`: a published friction law instead of film and asperity friction.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FrictionLawRow<'a> {
     /// Name of the law.

@@ -109,7 +109,7 @@ fn verdict(study: &TraceChange) -> [String; 1] {
         )
     } else if is_undecided(&study.mean, &study.parameters) {
         format!(
-            "Undecided: {height} of height was removed, as mean over the trace, and yet the peaks are lower. {}",
+            "Inconclusive: {height} of height was removed, as mean over the trace, and yet the peaks are lower. {}",
             way_out(study)
         )
     } else {

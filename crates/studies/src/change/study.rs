@@ -199,7 +199,7 @@ impl StudySettings for ChangeSettings {
         contain the noise of the match and the choice of the valleys. Where parts of the trace rose, other valleys may have risen as well: the \
         height gained is then also a standard deviation of the height removed. Parameters follow ISO 4287 with sections of 0.25 mm over the \
         common length. A noise floor is the change that noise makes in one of twenty comparisons. With a case, its flanks are the traces over \
-        the common length, before and after the test. Each pair is a tooth. Both runs share all draws but two. The errors of the \
+        the common length, before and after the test. Each pair is a tooth. Both runs share all samples except two. The errors of the \
         model are correlated by the concordance of the changed heights. The sampling error follows from the differences of the \
         windows. A trace without a stated place lies at any place of the flank, and the interval of the wear coefficient contains this. \
         operation.running_in presses the flanks before the test into each other and removes nothing by wear.";

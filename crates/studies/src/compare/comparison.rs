@@ -314,8 +314,8 @@ impl StudySettings for CompareSettings {
             ("variants", "mineral: lubricant.oil=m100"),
         ],
     ];
-    const METHOD: &'static str = "The first is the reference for the others. Two variants have the draws of a constant in common where \
-        the thing that it belongs to is the same in both, as the Eyring stress of one oil. Where it differs each has draws of its own. \
+    const METHOD: &'static str = "The first is the reference for the others. Two variants have the samples of a constant in common where \
+        the thing that it belongs to is the same in both, as the Eyring stress of one oil. Where it differs each has samples of its own. \
         A variant that names an oil leaves out all other numbers of the oil of the case, and its calibration.";
     const STEPS: &'static str = "variants";
 

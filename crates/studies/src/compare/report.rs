@@ -144,13 +144,13 @@ fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
 }
 
 /// Text if no measurement decides an undecided difference.
-const NONE_DECIDES: &str = "None of them alone decides a difference that is undecided.";
+const NONE_DECIDES: &str = "None of them alone decides a difference that is inconclusive.";
 /// Text above the measurements.
 const DECIDING: &str = "Each line is the interval of the difference, from 5 to 95 %, that the measurement leaves at best: as if it were \
     exact. Without the name of a variant, one measurement serves both.";
 
 /// Text above the common draws.
-const COMMON: &str = "A component has the same draws in both where the thing that it belongs to is the same: its correlation is 1. Where \
+const COMMON: &str = "A component has the same samples in both where the thing that it belongs to is the same: its correlation is 1. Where \
     each has a thing of its own it is 0, and it falls from 1 with the distance of the two.";
 
 /// Content of a comparison of a gear train.
@@ -210,7 +210,7 @@ fn of_flanks<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
 }
 
 /// Text above the components of the uncertainty.
-const COMPONENTS: &str = "Each component is drawn alone, with every other at its median.";
+const COMPONENTS: &str = "Each component is sampled alone, with every other at its median.";
 
 /// Text above the other models.
 const OTHER_MODELS: &str = "Each other model has its constants at their medians, and the evidence is against its result there. Its loss is scaled as the run to the median of the draws. The \

@@ -63,7 +63,7 @@ const fn sign(verdict: &Verdict) -> &'static str {
         Verdict::Equal => "no change",
         Verdict::Holds => "holds",
         Verdict::Except(_) => "exceptions",
-        _ => "undecided",
+        _ => "inconclusive",
     }
 }
 
@@ -324,7 +324,7 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
         ),
         _ => {
             let change = digits.signed_interval(difference.watts);
-            format!("Undecided: with {other} the loss differs from {first} by {change} W")
+            format!("Inconclusive: with {other} the loss differs from {first} by {change} W")
         }
     }
 }
@@ -434,7 +434,7 @@ pub(super) fn note(comparison: &Comparison) -> String {
     match is_drawn.then(Predictive::count) {
         None => "Without an uncertainty of the loss.".to_owned(),
         Some(draws) => format!(
-            "Medians of {draws} draws, in brackets their 5 and 95 % quantiles. Two variants share the draws of what is the same in both. The median of a difference is not the difference of the medians."
+            "Medians of {draws} samples, in brackets their 5 and 95 % quantiles. Two variants share the samples of what is the same in both. The median of a difference is not the difference of the medians."
         ),
     }
 }

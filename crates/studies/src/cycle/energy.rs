@@ -26,7 +26,7 @@ pub struct CycleResult {
     pub cycle: String,
     /// Scope of the losses: `mesh`.
     pub scope: String,
-    /// Losses besides the mesh that the case of the map states; not included in any number here.
+    /// Losses in addition to the mesh that the case of the map states; not included in any number here.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub left_aside: Vec<String>,
     /// Temperature of the flanks \[°C\].

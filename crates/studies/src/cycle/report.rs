@@ -19,8 +19,8 @@ use crate::map::{
 const BINS: f64 = 30.0;
 
 /// Content of the brackets.
-const NOTE: &str = "Medians, in brackets 5 and 95 % quantiles over the draws of the map. All points of the cycle share \
-    the draws, as do both sides of a difference.";
+const NOTE: &str = "Medians, in brackets 5 and 95 % quantiles over the samples of the map. All points of the cycle share \
+    the samples, as do both sides of a difference.";
 
 impl StudyResult for CycleResult {
     const KIND: &'static str = "cycle";
@@ -111,7 +111,7 @@ fn in_pairs(result: &CycleResult) -> Option<&'static str> {
     let is_drawn = |finish: &CycleFinish| finish.difference_quantiles_wh.is_some();
     let mut finishes = result.finishes.iter();
     finishes.any(is_drawn).then_some(
-        "Each difference is the median over paired draws, not the difference of the medians.",
+        "Each difference is the median over paired samples, not the difference of the medians.",
     )
 }
 

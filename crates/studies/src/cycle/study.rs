@@ -24,7 +24,7 @@ impl Input for CycleOnMap {
     fn described() -> Vec<Setting> {
         let trace = "File, frame or columns: time_s, and torque_nm with speed_rpm at the pinion, or speed_km_h";
         let vehicle =
-            "Keys of `[vehicle]`, ``{\"mass\": \"1600 kg\"}``, in place of those of the case";
+            "Keys of `[vehicle]`, ``{\"mass\": \"1600 kg\"}``, instead of those of the case";
         vec![
             Setting::new("map", "Map", "The map", None),
             Setting::new("trace", "Cycle", trace, None),
@@ -42,7 +42,7 @@ settings! {
     pub struct CycleSettings {
         /// Temperature of the flanks in °C, one of the map [default: next to the temperature of the case]
         [long = "temperature", value_name = "°C"] temperature_c: Option<f64>,
-        /// Names of the columns of a cycle without names, or in place of its own, e.g. time_s,speed_km_h; - leaves one out
+        /// Names of the columns of a cycle without names, or instead of its own, e.g. time_s,speed_km_h; - leaves one out
         [value_name = "NAMES", value_delimiter = ','] columns: Vec<String>,
         /// Permit more than 5 % of the energy of the cycle outside of the map, where the ratio of loss to torque is
         /// constant
@@ -88,7 +88,7 @@ impl StudySettings for CycleSettings {
             ("temperature_c", "90"),
         ],
     ];
-    const METHOD: &'static str = "The loss torque is interpolated between the points of the map; its interval follows from the draws of the map.";
+    const METHOD: &'static str = "The loss torque is interpolated between the points of the map; its interval follows from the samples of the map.";
     const STEPS: &'static str = "";
 
     fn work(&self, given: &CycleOnMap) -> Result<Option<Work>, Fault> {

@@ -94,7 +94,7 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, Fault>
     named_cycle(text, None, vehicle)
 }
 
-/// As [`cycle`], of a table whose columns have these `names`: in place of its own, or if it has none. A column named `-` is
+/// As [`cycle`], of a table whose columns have these `names`: instead of its own, or if it has none. A column named `-` is
 /// left out.
 ///
 /// # Errors

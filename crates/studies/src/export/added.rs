@@ -39,7 +39,7 @@ pub(crate) fn twice(name: impl Display) -> Fault {
     Fault::new(
         Code::E205,
         format!(
-            "{name}: the case of the map already has losses besides the mesh; put the table there, as gearbox.loss_table, or omit one"
+            "{name}: the case of the map already has losses in addition to the mesh; put the table there, as gearbox.loss_table, or omit one"
         ),
     )
 }

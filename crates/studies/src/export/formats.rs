@@ -66,7 +66,7 @@ exports! {
     Wide "Table of the loss torque in N m, torque in N m down and speed in 1/min across" {
         "NAME_loss_torque_nm.csv" Each(tables::wide)
     }
-    Vecto "VECTO transmission loss map; refused without torques of both signs, or where the loss rises faster than the torque" {
+    Vecto "VECTO transmission loss map; an error without torques of both signs, or where the loss rises faster than the torque" {
         "NAME.vtlm" Each(tables::vecto)
     }
     Modelica "Table lossTorque of CombiTable2Ds of the Modelica Standard Library: u1 torque in N m, u2 speed in rad/s" {

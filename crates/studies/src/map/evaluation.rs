@@ -392,7 +392,7 @@ pub(super) fn torque_of(torque_nm: f64) -> Torque {
     Torque::from_si(torque_nm)
 }
 
-/// Losses of the gearbox besides the meshes at every node, with the losses of the meshes there, which load the bearings if the
+/// Losses of the gearbox in addition to the meshes at every node, with the losses of the meshes there, which load the bearings if the
 /// train passes them on; `None` if the case states none.
 pub(super) fn gearbox_of(
     train: &Train,

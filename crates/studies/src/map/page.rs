@@ -596,7 +596,7 @@ fn bands(map: &Map) -> Markup {
     };
     let table = table.renamed("finish", map.noun());
     html! {
-        p { "Median of the loss with its 5 and 95 % quantiles, as for a run. The draws were computed at these torques and speeds; "
+        p { "Median of the loss with its 5 and 95 % quantiles, as for a run. The samples were computed at these torques and speeds; "
             "between them their logarithms are interpolated. Negative torques have the same losses, unless there are coast flanks. "
             "All points are in map.csv." }
         (table)

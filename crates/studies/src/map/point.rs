@@ -58,7 +58,7 @@ pub struct Map {
     pub defaults: Vec<DefaultUsed>,
 }
 
-/// Losses of the gearbox besides the mesh at the points of a map, from the input.
+/// Losses of the gearbox in addition to the mesh at the points of a map, from the input.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MapGearbox {
     /// Names of the parts.

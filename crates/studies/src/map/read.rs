@@ -99,7 +99,7 @@ fn check(map: &Map) -> Result<(), String> {
         .flat_map(|finish| &finish.draws)
         .all(is_whole)
     {
-        return Err("its draws do not fill their nodes".to_owned());
+        return Err("its samples do not fill their nodes".to_owned());
     }
     let is_whole = |loss: &[f64]| loss.len() == axes.points();
     match &map.gearbox {

@@ -71,7 +71,7 @@ impl StudySettings for RidgeSettings {
     const EXAMPLES: &'static [&'static [(&'static str, &'static str)]] =
         &[&[("case", "demo/case.toml")]];
     const METHOD: &'static str = "The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and \
-        a run with the twenty costliest ridges pressed to the mean line.";
+        a run with the twenty costliest ridges removed down to the mean line.";
     const STEPS: &'static str = "gradients";
 
     fn work(&self, case: &LoadedCase) -> Result<Option<Work>, Fault> {

@@ -24,7 +24,7 @@ impl StudyResult for RunningInFound {
     fn report(&self) -> Report<'_> {
         let first = &self.courses[0];
         let mut report = Report::new(&self.title, "running-in")
-            .section("What running-in is worth")
+            .section("What running-in saves")
             .verdict([worth(self, first), how_long(first)])
             .verdict(no_flow(first))
             .verdict(best(&self.courses))

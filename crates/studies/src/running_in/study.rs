@@ -196,7 +196,7 @@ impl StudySettings for RunningInSettings {
     }
 }
 
-/// The case with the rows of its scans that a run with `operation.running_in` takes in place of the patches that their lay asks for,
+/// The case with the rows of its scans that a run with `operation.running_in` takes instead of the patches that their lay asks for,
 /// which do not run in.
 fn by_rows(case: LoadedCase) -> Result<LoadedCase, Fault> {
     let is_by_lay = case.case.input.surface.contact.is_none() && case.surfaces.sheets().is_some();

@@ -130,7 +130,7 @@ fn cutoffs(loaded: &LoadedCase) -> Vec<Change> {
     changes
 }
 
-/// Less of the scans: rows in place of patches, or single rows in place of several.
+/// Less of the scans: rows instead of patches, or single rows instead of several.
 fn scans(loaded: &LoadedCase) -> Option<Change> {
     let scans = less_of_scans(loaded)?;
     let change = Change::of(SCANS);

@@ -31,7 +31,7 @@ pub struct Sensitivity {
     pub loss_at_medians_w: Option<f64>,
     /// Mesh efficiency.
     pub efficiency: f64,
-    /// Losses besides the mesh that the case states; not included in any number here.
+    /// Losses in addition to the mesh that the case states; not included in any number here.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub left_aside: Vec<String>,
     /// One row per change.

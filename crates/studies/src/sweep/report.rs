@@ -26,7 +26,7 @@ const ENDS: [&str; 2] = [DRAWN[1], DRAWN[2]];
 const INDICES: &str = "First index: share of the variance of the result by this input alone. Total index: the same with its \
     interactions. Few samples estimate both roughly; an estimate may exceed 1.";
 /// How a study computes intervals, and what a loss without one is.
-const NO_INTERVAL: &str = "Losses have every constant at its median. With the columns loss_p05_w and loss_p95_w the study draws the \
+const NO_INTERVAL: &str = "Losses have every constant at its median. With the columns loss_p05_w and loss_p95_w the study samples the \
     loss that asperity run prints, with its interval.";
 /// Numbers that an oil of an axis replaces.
 const OTHER_OILS: &str = "A case that names an oil leaves out all other numbers of the oil of the case file, and its calibration.";
