@@ -293,7 +293,7 @@ fn said(text: &str) -> String {
     joined(&lines.join(" "))
 }
 
-/// Pages for users whose numbers are judged here.
+/// Pages for users whose numbers are checked here.
 fn judged() -> Vec<String> {
     let mut judged = pages();
     let others = [README, "docs/TUTORIAL.md", TRUST, FAQ];

@@ -1,7 +1,7 @@
 //! Every number of a whole result, folded by the place where it stands.
 //!
 //! A change of one column of the path, of one part of the band or of one picture shows here; the numbers that
-//! should have changed are then looked at, and the file is written anew with a reason.
+//! should have changed are then looked at, and the file is written again with a reason.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -234,7 +234,7 @@ fn stored_file() -> PathBuf {
 }
 
 /// SHA-256 of what the conditions of the records are made of: cases, traces, and the recipes of the example. A change of the fast
-/// model shows in the twelve rows that are computed anew.
+/// model shows in the twelve rows that are computed again.
 fn sum_of_inputs() -> String {
     const INPUTS: [&str; 10] = [
         "crates/asperity/examples/mixed_ehl_records.rs",

@@ -109,7 +109,7 @@ fn contacts_made_before_serve_other_oils_speeds_and_temperatures() {
         ("operation.bulk_temperature", "60 °C"),
         ("operation.speed", "2000 1/min"),
         ("lubricant.base_oil", "ester"),
-        // Contacts under another load or of other steels are made anew.
+        // Contacts under another load or of other steels are made again.
         ("operation.torque", "150 N m"),
         ("material.pinion.flow_pressure", "5 GPa"),
     ] {

@@ -23,7 +23,7 @@ const PARTS: [f64; 3] = [0.618_034, 0.754_878, 0.569_84];
 /// Distance, radius \[µm\] and depth \[nm\] of dimples.
 const DIMPLES: [f64; 3] = [168.0, 30.0, 2000.0];
 
-/// Adds waves whose crests are `ratio` times as long as wide, at an angle \[deg\] to the lead, with a root mean square `rq` \[nm\].
+/// Adds waves whose peaks are `ratio` times as long as wide, at an angle \[deg\] to the lead, with a root mean square `rq` \[nm\].
 fn add_waves(heights: &mut [f64], seed: u32, [ratio, angle, rq]: [f64; 3]) {
     let (sine, cosine) = (angle * TAU / 360.0).sin_cos();
     let wave = |k: u32| {

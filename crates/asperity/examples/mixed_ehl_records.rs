@@ -80,13 +80,13 @@ enum Finish {
     Superfinished,
     /// Short waves only.
     Polished,
-    /// Plateaus with dales.
+    /// Plateaus with valleys.
     Honed,
-    /// Heights with a tail of dales.
+    /// Heights with a tail of valleys.
     Dales,
     /// Long waves.
     Long,
-    /// Tall plateaus between deep, wide dales.
+    /// Tall plateaus between deep, wide valleys.
     Plateaus,
     /// Crossed marks: the lower envelope of the grooves of two passes.
     Crossed,

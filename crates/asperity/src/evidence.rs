@@ -12,11 +12,11 @@ use asperity_case::error::Error;
 
 /// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
 const TRANSFER: f64 = 0.10;
-/// Standard deviation of a temperature by a thermocouple \[K\] (judgement).
+/// Standard deviation of a temperature by a thermocouple \[K\] (assumed).
 const THERMOCOUPLE: f64 = 1.0;
 /// Further traces of each flank.
 const MORE_TRACES: usize = 4;
-/// Errors of a rig: of a point, and of all together (judgement).
+/// Errors of a rig: of a point, and of all together (assumed).
 const RIG_ERRORS: [f64; 2] = [0.03, 0.03];
 /// Points of a day on a rig.
 const RIG_POINTS: [usize; 2] = [1, 7];
@@ -53,7 +53,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// All measurements with their usual hours (judgement).
+    /// All measurements with their usual hours (assumed).
     #[must_use]
     pub fn usual() -> [Self; 10] {
         [

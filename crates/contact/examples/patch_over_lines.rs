@@ -1,4 +1,4 @@
-//! Load of a rough patch over the load of its lines at the same gap: by how much lines fall short of a surface whose crests
+//! Load of a rough patch over the load of its lines at the same gap: by how much lines fall short of a surface whose peaks
 //! are short along the lead.
 //!
 //! `cargo run --release -p asperity-contact --example patch_over_lines` prints means and standard errors of eight seeds: periodic

@@ -306,7 +306,7 @@ fn closed_forms_refuse_what_they_do_not_hold_for() {
         .closing_pressure()
         .is_err()
     );
-    // Little load leaves the mean gap, and touches at the crests only.
+    // Little load leaves the mean gap, and touches at the peaks only.
     let little = wave.mean_gap(closing * 1e-9).unwrap();
     assert!((little / wave.amplitude - 1.0).abs() < 1e-7);
     let edge = flat_punch::pressure(CYLINDER.load, wave.amplitude, wave.amplitude);

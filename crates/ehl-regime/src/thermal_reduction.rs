@@ -13,7 +13,7 @@
 //! Sources: P. K. Gupta, H. S. Cheng, D. Zhu, N. H. Forster and J. B. Schrand, Tribol. Trans. 35
 //! (1992) 269 (form confirmed in Arana, Larrañaga and Ulacia 2019, eq. 24). Gupta's factor falls ever faster with L, and its numerator turns negative: a colder or faster contact
 //! would have less film. Beyond the loading L₁ at which the film no longer rises with the speed, its steepness is held, with a
-//! note (judgement: a switch to another law there would be a step of 3 to 7 in the film).
+//! note (assumed: a switch to another law there would be a step of 3 to 7 in the film).
 
 use asperity_core::quantity::{DynamicViscosity, PerKelvin, Pressure, Speed, ThermalConductivity};
 use asperity_core::{Checked, DomainError, FittedRange, Treatment, cite};

@@ -1,7 +1,7 @@
 //! Compliance of the Hertzian flattening of two flanks, which is less than proportional to the load.
 //!
 //! Source: C. Weber and K. Banaschek 1953 (line contact between the centre lines of the teeth;
-//! derived anew by references/small_constants.py).
+//! derived again by references/small_constants.py).
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|

@@ -1,6 +1,6 @@
 //! Compliance of a tooth and its foundation according to Weber and Banaschek.
 //!
-//! Source: C. Weber and K. Banaschek 1953, the base of ISO 6336-1 and DIN 3990 (18/π derived anew
+//! Source: C. Weber and K. Banaschek 1953, the base of ISO 6336-1 and DIN 3990 (18/π derived again
 //! by references/small_constants.py; compliance checked against the stiffness polynomial of ISO 6336-1 and finite elements).
 //!
 //! | symbol | meaning | unit |

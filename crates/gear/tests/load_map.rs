@@ -1,4 +1,4 @@
-//! The load map against an independent program, `tests/golden/load_map.json` (computed anew by
+//! The load map against an independent program, `tests/golden/load_map.json` (computed again by
 //! `references/load_map.py`), and closed forms.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]

@@ -78,7 +78,7 @@ pub(crate) struct SpotStress {
     slope: f64,
 }
 
-/// Slid distance over the largest width of two equal crests, during which they touch.
+/// Slid distance over the largest width of two equal peaks, during which they touch.
 const CROSSING: f64 = 2.0 * std::f64::consts::SQRT_2;
 
 /// A film of a spot.
@@ -166,7 +166,7 @@ fn radius_over_line(ratio: f64) -> f64 {
 /// L = 2√2 u_m b/|u₁ − u₂|,  k = L/(4a) for L ≤ 2a, else 1 − a/L                [Carried-part]
 /// ```
 ///
-/// Two crests of radius r that are offset by x overlap by b²/(2r) − x²/(4r), with the overlap of the Hertz contact whose largest
+/// Two peaks of radius r that are offset by x overlap by b²/(2r) − x²/(4r), with the overlap of the Hertz contact whose largest
 /// width is b: they touch while the flanks slide by 2√2 b. Meanwhile the spot travels by L. At a distance x from the inlet the spots whose age is above x/u_m formed in it, max(0, 1 − x/L) of ages that are spread evenly;
 /// k is the mean over 2a. 1 without sliding.
 fn carried_part(entrainment: f64, sliding: f64, half_width: f64, width: f64) -> f64 {

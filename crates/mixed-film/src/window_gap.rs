@@ -1,4 +1,4 @@
-//! Mean gap under a window: the film of the inlet is thinner under plateaus than over dales.
+//! Mean gap under a window: the film of the inlet is thinner under plateaus than over valleys.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -16,7 +16,7 @@ use asperity_core::cite;
 /// g = (u + √(u² + c² h̄²))/(1 + √(1 + c²)),  u = h̄ − ȳ, c = 0.1                           [Window-gap]
 /// ```
 ///
-/// The film that leaves the inlet is h̄ − y, and moves on with the heights y: under plateaus it is thinner than its mean h̄, over dales
+/// The film that leaves the inlet is h̄ − y, and moves on with the heights y: under plateaus it is thinner than its mean h̄, over valleys
 /// thicker. g is h̄ − ȳ within .5 % of h̄ where ȳ is less than half of it either way, and stays above 0 where a middle is higher than h̄.
 pub(crate) fn gap_under(gap: f64, middle: f64) -> (f64, [f64; 2]) {
     cite!("Window-gap");
@@ -65,7 +65,7 @@ mod tests {
 
     #[test]
     fn a_window_has_the_gap_of_its_middle() {
-        // A plateau of 60 points between dales, under a film that reaches 20 or 40 points from the middle.
+        // A plateau of 60 points between valleys, under a film that reaches 20 or 40 points from the middle.
         let plateau = |i: usize| {
             if (70..130).contains(&i) {
                 0.2e-6

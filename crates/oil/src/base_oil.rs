@@ -31,7 +31,7 @@ pub enum BaseOil {
     /// Naphthenic mineral oil: constants of paraffinic oil, which underrate its α.
     #[serde(alias = "Naphthenic")]
     Naphthenic,
-    /// Hydrocracked oil of API group III, automatic transmission fluid (judgement between its neighbours).
+    /// Hydrocracked oil of API group III, automatic transmission fluid (assumed between its neighbours).
     #[serde(alias = "Group III", alias = "group III")]
     GroupIii,
     /// Polyalphaolefin, e-fluids on that base.

@@ -36,7 +36,7 @@ const UNIT_SLIPS: [i32; 6] = [6, -6, 9, -9, 3, -3];
 /// | base oil | s | t |
 /// |---|---|---|
 /// | mineral, naphthenic | 9.904 | 0.1390 |
-/// | group III (judgement) | 8.5 | 0.1360 |
+/// | group III (assumed) | 8.5 | 0.1360 |
 /// | polyalphaolefin | 7.382 | 0.1335 |
 /// | ester | 6.605 | 0.1360 |
 /// | polyalkylene glycol | 5.489 | 0.1485 |

@@ -16,7 +16,7 @@
 //! harmless as traction, and for thin oils it is closer to measured gear losses than Roelands' law with the
 //! same α, which gives a third of them. Never use it for film thickness.
 //!
-//! τ_L0 = 2 MPa is judgement; b_L and f are 0 and 1 unless traction curves of the oil determine them. The blend of τ_E and τ_L is [`limited_stress_by`].
+//! τ_L0 = 2 MPa is assumed; b_L and f are 0 and 1 unless traction curves of the oil determine them. The blend of τ_E and τ_L is [`limited_stress_by`].
 
 use std::sync::Arc;
 

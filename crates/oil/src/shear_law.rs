@@ -14,7 +14,7 @@ use asperity_core::quantity::Pressure;
 use asperity_core::{DomainError, cite};
 use serde::{Deserialize, Serialize};
 
-/// Power m with which the stress approaches its limit (judgement).
+/// Power m with which the stress approaches its limit (assumed).
 pub const LIMIT_POWER: f64 = 4.0;
 
 /// Name of a shear law; the oil gives its constants ([`TractionConstants::shear_law`](crate::TractionConstants::shear_law)).

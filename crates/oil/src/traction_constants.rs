@@ -9,20 +9,20 @@ use crate::{BaseOil, LIMIT_POWER, LubricantError, ShearLaw, ShearLawName};
 
 /// Temperature at which Λ of a base oil holds, 90 °C \[K\].
 const LIMIT_TEMPERATURE: f64 = 363.15;
-/// Limiting shear stress τ_L0 at ambient pressure (judgement).
+/// Limiting shear stress τ_L0 at ambient pressure (assumed).
 pub const AMBIENT_LIMIT: Pressure = Pressure::from_si(2e6);
 
-/// 5 % and 95 % quantiles of the limiting shear stress over pressure, over its median (judgement).
+/// 5 % and 95 % quantiles of the limiting shear stress over pressure, over its median (assumed).
 pub const LIMITING_SHEAR_BAND: [f64; 2] = [0.87, 1.15];
-/// 5 % and 95 % quantiles of a pressure-viscosity coefficient that is estimated, over its median (judgement).
+/// 5 % and 95 % quantiles of a pressure-viscosity coefficient that is estimated, over its median (assumed).
 pub const PRESSURE_VISCOSITY_BAND: [f64; 2] = [0.85, 1.18];
-/// 5 % and 95 % quantiles of the Eyring stress of an oil without family, over its median (judgement).
+/// 5 % and 95 % quantiles of the Eyring stress of an oil without family, over its median (assumed).
 const EYRING_STRESS_BAND: [f64; 2] = [0.75, 4.0 / 3.0];
 /// Largest fall or rise of ln Λ \[1/K\]: beyond it a film that heats itself may have several temperatures (a rise of
 /// 30 K changes Λ by a factor 1.8 here; own choice).
 const STEEPEST_FALL: f64 = 0.02;
 
-/// Constants of the Carreau-Yasuda law; no source states them for gear oils, the defaults are judgement.
+/// Constants of the Carreau-Yasuda law; no source states them for gear oils, the defaults are assumed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields)]

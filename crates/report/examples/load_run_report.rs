@@ -1,4 +1,4 @@
-//! Reads a case, runs it, writes its result folder, reads the result back and draws its page anew.
+//! Reads a case, runs it, writes its result folder, reads the result back and draws its page again.
 //!
 //! `cargo run -p asperity-report --example load_run_report -- fixtures/cases/e-drive.toml results/e-drive`
 

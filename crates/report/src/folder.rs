@@ -250,7 +250,7 @@ pub(crate) fn make_subfolder(folder: &Path) -> Result<(), Fault> {
     fs::create_dir(folder).map_err(error::io(folder))
 }
 
-/// Reads a result from its JSON. Not generic, so that other crates do not compile the reader anew.
+/// Reads a result from its JSON. Not generic, so that other crates do not compile the reader again.
 ///
 /// # Errors
 /// When a value is missing or damaged.
@@ -321,7 +321,7 @@ fn read_json<T>(
 
 /// Path of the value at which reading JSON failed, `path[0].s_mm`; empty for the whole.
 ///
-/// A reader that tracks the path is compiled anew for every type, and was a third of this crate.
+/// A reader that tracks the path is compiled again for every type, and was a third of this crate.
 fn value_path(json: &[u8], error: &serde_json::Error) -> String {
     let lines = json.split_inclusive(|byte| *byte == b'\n');
     let before: usize = lines

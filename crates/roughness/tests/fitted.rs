@@ -41,7 +41,7 @@ fn affine(rq: f64, roll_off: f64, seed: u64) -> Profile {
     recipe.generate().unwrap()
 }
 
-/// Grooves of grits on a self-affine background: ridges higher than the dales are deep.
+/// Grooves of grits on a self-affine background: ridges higher than the valleys are deep.
 fn ground() -> Profile {
     let grooves = Ground {
         points: ALL,
@@ -58,7 +58,7 @@ fn ground() -> Profile {
     Profile::new(DX, both.map(|(a, b)| a + b).collect()).unwrap()
 }
 
-/// The lower envelope of a coarse and a fine process: plateaus with dales.
+/// The lower envelope of a coarse and a fine process: plateaus with valleys.
 fn honed() -> Profile {
     let plateaus = affine(0.05e-6, 30e-6, 3);
     let dales = affine(0.4e-6, 60e-6, 4);

@@ -96,7 +96,7 @@ fn of(z: &[f64]) -> [f64; 20] {
     })
 }
 
-/// Twelve parts of a ground-like surface: ridges 18 um wide along the face on a finer background, peaks cut, dales deep.
+/// Twelve parts of a ground-like surface: ridges 18 um wide along the face on a finer background, peaks cut, valleys deep.
 fn parts() -> Vec<Vec<f64>> {
     let part = |seed: u64| -> Vec<f64> {
         let ridges = smoothed(COLUMNS, ROWS, [3.0, 18.0], seed);

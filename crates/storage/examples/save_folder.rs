@@ -1,4 +1,4 @@
-//! Writes a folder, writes it anew, and is refused once it holds a file of the user's.
+//! Writes a folder, writes it again, and is refused once it holds a file of the user's.
 //!
 //! `cargo run -p asperity-storage --example save_folder`
 

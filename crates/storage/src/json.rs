@@ -1,6 +1,6 @@
 //! JSON of a value.
 //!
-//! The value is given as `&dyn`: a generic writer is compiled for each part of each type, and in each layout anew.
+//! The value is given as `&dyn`: a generic writer is compiled for each part of each type, and in each layout again.
 
 use erased_serde::Serialize;
 use serde_json::Value;

@@ -1,5 +1,5 @@
 //! Values that a program stores for itself: each with its name, the version that computed it, and the SHA-256 of its content. A
-//! stored value is used only if all three are right; any other is computed anew.
+//! stored value is used only if all three are right; any other is computed again.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};

@@ -162,7 +162,7 @@ fn field(map: &Map) -> Field {
     Field::all(map, 0, None).unwrap().remove(0)
 }
 
-/// Bilinear interpolation written anew.
+/// Bilinear interpolation written again.
 fn bilinear(x: &[f64], y: &[f64], value: &dyn Fn(usize, usize) -> f64, at: [f64; 2]) -> f64 {
     let cell = |nodes: &[f64], v: f64| {
         let i = nodes.windows(2).position(|pair| v <= pair[1]).unwrap();

@@ -65,7 +65,7 @@ impl PublishedLaw {
         matches!(self.asperities, Asperities::Included | Asperities::Shared)
     }
 
-    /// Note on an oil temperature outside the data of the law. The sources state no range, so it is judgement; every
+    /// Note on an oil temperature outside the data of the law. The sources state no range, so it is assumed; every
     /// other limit is in the law's own [`Checked`] value.
     ///
     /// [`Checked`]: asperity_core::Checked

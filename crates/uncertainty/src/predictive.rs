@@ -35,7 +35,7 @@ use asperity_case::case::UncertainParameter;
 
 /// Mean and standard deviation of the power of the ratio of loss factors.
 const RELIEF_POWER: [f64; 2] = [1.15, 0.08];
-/// Standard deviation of ln of the model over records: of films without load on asperities, judged with 93 records in view, and
+/// Standard deviation of ln of the model over records: of films without load on asperities, assumed with 93 reference solutions known, and
 /// from [`FULL_FILM`] up to [`COMPARED`], fitted by likelihood to 85 of them in the windows that they pass.
 const FILM_ERROR: f64 = 0.03;
 const MIXED_ERROR: f64 = 0.05;

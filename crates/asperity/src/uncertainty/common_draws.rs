@@ -25,14 +25,14 @@ use asperity_uncertainty::{
 use serde::{Deserialize, Serialize};
 
 /// Correlation of a constant of two oils of one family. The sources state a range over the family, and not which part of it two
-/// oils share: half of the variance (judgement).
+/// oils share: half of the variance (assumed).
 const OF_FAMILY: f64 = 0.5;
 /// |ln| of the ratio of two viscosities within a grade of ISO 3448, whose limits are 10 % from its middle, and of the middles of two
 /// grades.
 const OF_GRADE: [f64; 2] = [0.2, 0.4];
-/// The same of two Young's moduli: the moduli of steels, and another material (judgement).
+/// The same of two Young's moduli: the moduli of steels, and another material (assumed).
 const OF_STEEL: [f64; 2] = [0.03, 0.2];
-/// Distance of the dimensions of two pairs of gears of equal numbers of teeth with common unknown relief, and without (judgement).
+/// Distance of the dimensions of two pairs of gears of equal numbers of teeth with common unknown relief, and without (assumed).
 const OF_TEETH: [f64; 2] = [0.0, 0.2];
 
 /// Name of the component of the sampling.

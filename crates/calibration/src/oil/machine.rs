@@ -2,7 +2,7 @@
 //!
 //! The specimens are of through-hardened bearing steel, whose conductivity is 21 W/(m K) and not the 46 of handbooks
 //! (Reddyhoff, Schmidt and Spikes, Tribology Letters 67 (2019) 22). They warm above the bath by half a kelvin per watt of
-//! friction (judgement).
+//! friction (assumed).
 
 use std::num::NonZeroUsize;
 

@@ -216,7 +216,7 @@ fn verdict(plan: &OilPlan) -> Option<String> {
 
 /// The width that the standard plan leaves of the whole interval of the loss.
 fn whole_interval(width: f64) -> String {
-    /// Remaining width from which a measurement is of little help (judgement).
+    /// Remaining width from which a measurement is of little help (assumed).
     const LITTLE: f64 = 0.9;
     let keeps = format!(
         "the whole interval keeps {:.0} % of its width",

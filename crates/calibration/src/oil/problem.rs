@@ -16,7 +16,7 @@
 //!
 //! Variables are in standard deviations of their priors, from their medians. The gain is known to 2 % of a calibrated
 //! machine; a public file of 2.3 hours shows zeros that wander by 0.001 of the friction; one second of readings scatters
-//! by less than 1 %, the rest of σ is the error of the law (judgement).
+//! by less than 1 %, the rest of σ is the error of the law (assumed).
 
 use asperity::mixed_film::LoadShareError;
 use asperity::oil::{FilmRheology, PressureLaw, TractionConstants};

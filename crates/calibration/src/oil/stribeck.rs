@@ -3,7 +3,7 @@
 //! Where the film is at most a fifth of the roughness, the boundary layer carries all and the friction is that of boundary
 //! lubrication. Rubbing makes the layer of the additives: in a public record of a machine (120 °C, 50 N, pure sliding) the
 //! friction doubles within 7000 s, from 0.059 to 0.117. The error of the transfer from the machine to a gear is 10 %
-//! (judgement). The thickness of the layer does not follow from smooth specimens, nor does the least share on it of asperities that
+//! (assumed). The thickness of the layer does not follow from smooth specimens, nor does the least share on it of asperities that
 //! come into contact past the inlet: their film is that of the roughness.
 
 use super::error as oil_error;
@@ -23,7 +23,7 @@ use super::traction::BOUNDARY_RATIO;
 const FEWEST: usize = 4;
 /// Largest change of the friction over a decade of speed, relative to it.
 const LARGEST_SLOPE: f64 = 0.1;
-/// Standard deviation of the logarithm of the boundary friction by the transfer from a machine to a gear (judgement).
+/// Standard deviation of the logarithm of the boundary friction by the transfer from a machine to a gear (assumed).
 const TRANSFER: f64 = 0.1;
 /// Distance of the temperature of a case from the tested ones that is worth a warning \[K\].
 const FAR: f64 = 20.0;

@@ -101,7 +101,7 @@ fn sentences(stribeck: &Stribeck) -> Vec<String> {
             stribeck.roughness_nm
         ),
         format!(
-            "Standard deviation {:.1} %: 10 % for the transfer from the machine to a gear (judgement), and the scatter.",
+            "Standard deviation {:.1} %: 10 % for the transfer from the machine to a gear (assumed), and the scatter.",
             100.0 * stribeck.deviation
         ),
         "Smooth specimens do not show the thickness of the boundary layer; losses of a rig do."

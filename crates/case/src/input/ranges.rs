@@ -2,7 +2,7 @@
 //!
 //! The usual ranges cover gear drives from toys to wind turbines, the possible ones leave some powers
 //! of ten around them. Both are choices of this program: they are there to catch a wrong unit, not to judge a
-//! design. Modifications of the flanks are judged as shares of the module. Zero, negative and missing numbers are judged
+//! design. Modifications of the flanks are checked as shares of the module. Zero, negative and missing numbers are checked
 //! by the equations that take them, unless a range has negative numbers.
 
 use std::borrow::Cow;
@@ -316,12 +316,12 @@ pub(crate) fn digits(value: f64) -> String {
         + &power
 }
 
-/// A case, or a table that is judged without its case.
+/// A case, or a table that is checked without its case.
 pub(crate) trait Judged: Ranged {
     /// Path of the table; empty for the whole case.
     const TABLE: &'static str = "";
 
-    /// Module of the gears whose modifications it states; a train's modifications are judged with its meshes.
+    /// Module of the gears whose modifications it states; a train's modifications are checked with its meshes.
     fn module(&self) -> Option<Length> {
         None
     }

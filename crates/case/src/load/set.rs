@@ -133,7 +133,7 @@ fn strip_unstated(of: &mut Json) {
     }
 }
 
-/// A case from its JSON in a stored result. Not generic, so that other crates do not compile it anew.
+/// A case from its JSON in a stored result. Not generic, so that other crates do not compile it again.
 fn of_json(value: serde_json::Value) -> Result<CaseInput, String> {
     let Some(Value::Table(table)) = stated(value) else {
         return Err("a case is a JSON object".to_owned());

@@ -137,7 +137,7 @@ fn values_of(input: &FlankInput) -> ([Option<Length>; 4], Option<FinishName>) {
 
 /// Finish of even and odd pairs where none is stated.
 fn by_ra(input: &FlankInput, section: Section<'_>, assumed: &mut Vec<DefaultUsed>) -> [Finish; 2] {
-    /// Rq and Rz over Ra, near enough for a limit that is judgement.
+    /// Rq and Rz over Ra, near enough for a limit that is assumed.
     const RATIOS: [f64; 2] = [1.25, 7.0];
     let of = |value: Option<Length>, ratio: f64| value.map(|value| value.si() / ratio);
     let ra = of(input.ra, 1.0)

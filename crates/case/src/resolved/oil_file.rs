@@ -23,10 +23,10 @@ pub const POORLY_EXPLAINED: f64 = 1.5;
 pub const STEEPEST_FALL: f64 = 0.016;
 /// Difference of the sums of squares that decides the law of pressure: odds of 20 to 1.
 pub const DECISIVE: f64 = 6.0;
-/// Standard deviation of the error of a law that explains the curves, and of one that explains them poorly (judgement).
+/// Standard deviation of the error of a law that explains the curves, and of one that explains them poorly (assumed).
 const LAW_ERROR: [f64; 2] = [0.02, 0.12];
 /// Distance beyond the tested temperatures \[K\] from which the error of the law grows, and its standard deviation per
-/// kelvin (judgement).
+/// kelvin (assumed).
 const FAR: f64 = 20.0;
 const ERROR_PER_KELVIN: f64 = 0.10 / 40.0;
 /// An oil file: `asperity oil fit` writes it, and a case names it by `lubricant.oil_file`.

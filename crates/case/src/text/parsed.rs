@@ -262,7 +262,7 @@ pub(crate) fn stated(value: serde_json::Value) -> Option<Value> {
 }
 
 /// Reads a value from a table of its keys; the key and the message of what cannot be read. All formats are read through
-/// it, because the code that reads every key is large and is compiled anew for every format.
+/// it, because the code that reads every key is large and is compiled again for every format.
 pub(crate) fn from_table<T: DeserializeOwned>(
     mut root: Table,
 ) -> Result<T, (Option<String>, String)> {

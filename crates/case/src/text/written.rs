@@ -1,5 +1,5 @@
 //! Values as TOML, through a pointer to their serialisation: the code that writes every key is large, and would be compiled
-//! anew for each of the serializers of the format.
+//! again for each of the serializers of the format.
 
 use erased_serde::Serialize;
 use toml::ser::Error;

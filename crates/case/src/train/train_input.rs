@@ -31,7 +31,7 @@ use asperity_core::message::Warning;
 /// The case of a mesh, with its keys in a case whose meshes have names.
 pub(crate) type CaseOfMesh = (CaseInput, Option<Arc<MeshKeys>>);
 
-/// The tables of a case with named meshes that are not of a single mesh: what a mesh has is judged with its case.
+/// The tables of a case with named meshes that are not of a single mesh: what a mesh has is checked with its case.
 pub(crate) struct OfAllMeshes<'a>(pub &'a CaseInput);
 
 impl Judged for OfAllMeshes<'_> {}

@@ -140,7 +140,7 @@ impl CoarseSpace {
         self.active
     }
 
-    /// Makes the nodes anew for the next patches.
+    /// Makes the nodes again for the next patches.
     pub(crate) fn forget_nodes(&mut self) {
         self.grid = None;
     }

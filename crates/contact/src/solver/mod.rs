@@ -93,7 +93,7 @@ pub struct Solver {
 
 thread_local! {
     /// Operators and buffers of the solver that was dropped last: the windows of a contact are solved one after the other, and to
-    /// make their operators anew costs a third of a solution.
+    /// make their operators again costs a third of a solution.
     static LAST: Cell<Option<(SolverShape, Operators, Workspace)>> = const { Cell::new(None) };
 }
 

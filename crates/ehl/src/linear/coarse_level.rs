@@ -3,7 +3,7 @@
 //!
 //! R·(film·K·D + local)·P with linear interpolation P, its transpose R, and the mask D of nodes without unknown
 //! pressure. A column of K·D·P is a shifted copy of one stored column unless the mask cuts its hat; only these are
-//! summed anew, so that the set-up costs far less than a product with K per coarse node.
+//! summed again, so that the set-up costs far less than a product with K per coarse node.
 
 use super::small_lu::{SmallLu, dot};
 use super::system::Linearised;

@@ -1,4 +1,4 @@
-//! The load share against an independent program (`references/load_share.py` computes its windows anew), and
+//! The load share against an independent program (`references/load_share.py` computes its windows again), and
 //! what must hold whatever the numbers: single windows here, drawn ones in `properties`.
 
 #![allow(clippy::disallowed_methods, reason = "tests read their own files")]

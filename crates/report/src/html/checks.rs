@@ -303,6 +303,6 @@ fn confidence(constant: &FilmConstant) -> &'static str {
     match constant.constant.mark {
         Mark::Seen => " (read there)",
         Mark::Calibrated => " (calibrated here)",
-        Mark::Judged => " (judgement)",
+        Mark::Judged => " (assumed)",
     }
 }

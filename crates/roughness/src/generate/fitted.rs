@@ -5,7 +5,7 @@
 //! heights, and a part of the length of a trace is cut out of it, so that the parameters differ from seed to seed as between
 //! traces.
 //!
-//! The order of the phases is lost: ridges and dales of a certain shape, marks at even distances and single scratches become
+//! The order of the phases is lost: ridges and valleys of a certain shape, marks at even distances and single scratches become
 //! noise with their spectrum and their heights.
 
 use std::f64::consts::TAU;

@@ -148,7 +148,7 @@ impl LikeSurface {
         Ok(Self { maker, warnings })
     }
 
-    /// Whether long waves are made anew beside the pieces.
+    /// Whether long waves are generated in addition to the pieces.
     #[must_use]
     pub fn has_long_waves(&self) -> bool {
         match &self.maker {

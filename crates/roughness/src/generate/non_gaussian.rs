@@ -35,7 +35,7 @@ pub enum HeightDistribution {
         /// Shape, positive.
         shape: f64,
     },
-    /// Inverted Weibull heights, with a tail of dales: finished flanks.
+    /// Inverted Weibull heights, with a tail of valleys: finished flanks.
     WeibullDales {
         /// Shape, positive.
         shape: f64,
@@ -304,7 +304,7 @@ mod tests {
             assert!((found.rsk.unwrap() - rsk).abs() < 0.03, "{found:?}");
             assert!((found.rku.unwrap() / rku - 1.0).abs() < 0.05, "{found:?}");
             assert!((found.rq.si() / 0.3e-6 - 1.0).abs() < 1e-12);
-            // Exponential heights have no dales: their spectrum gives way by a fifth.
+            // Exponential heights have no valleys: their spectrum gives way by a fifth.
             assert!(found.spectrum_error.unwrap() < 0.2, "{found:?}");
         }
     }

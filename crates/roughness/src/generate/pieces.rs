@@ -1,11 +1,11 @@
-//! Traces made of pieces of measured ones, which keep ridges, dales and marks as they were measured.
+//! Traces made of pieces of measured ones, which keep ridges, valleys and marks as they were measured.
 //!
 //! Source: Efros and Freeman 2001 (image quilting), in one dimension and with blended seams at the least difference.
 //!
 //! A straight line and the waves longer than two pieces are removed from every trace. What is left is divided into pieces, and as many as the
 //! new trace needs are drawn. They follow each other in the order in which they fit best, each end moved by up to an overlap. No
 //! piece is drawn twice before all were. The long waves are a Gaussian profile with the spectrum that was removed. The traces given
-//! therefore decide all shorter waves and rare dales.
+//! therefore decide all shorter waves and rare valleys.
 //!
 //! Of traces before a test and after one or several stages of it, which are relocated on the first, flanks are made in any state between:
 //! pieces are drawn from all traces of a place, and a part of the heights that were lost is taken off. Relocation leaves no waves

@@ -15,7 +15,7 @@ use crate::material_ratio::abbott_curve;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct PlateauHoned {
-    /// The coarse process, which forms the dales.
+    /// The coarse process, which forms the valleys.
     pub coarse: SelfAffine,
     /// The fine process, which forms the plateau, with the same points and spacing.
     pub fine: SelfAffine,
@@ -38,7 +38,7 @@ impl PlateauHoned {
     /// };
     /// let coarse = SelfAffine { rq: Length::from_si(1e-6), roll_off: Length::from_si(100e-6), seed: 2, ..fine };
     /// let profile = PlateauHoned { coarse, fine, depth: Length::from_si(0.5e-6) }.generate()?;
-    /// // A flat plateau with deep dales.
+    /// // A flat plateau with deep valleys.
     /// assert!(Achieved::of(&profile).rsk.unwrap() < -0.5);
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```

@@ -5,7 +5,7 @@
 //! A plane and the waves longer than [`LONG_WAVES`] are removed from every surface. Equal pieces of what is left are laid row by row, each
 //! overlapping its neighbours on the left and above. Of 256 drawn places that piece is taken which fits them best. The seam runs
 //! through the overlap where both differ least. The long waves are a surface with the spectrum and heights that were removed.
-//! The surfaces given therefore decide all shorter waves and rare dales.
+//! The surfaces given therefore decide all shorter waves and rare valleys.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -140,7 +140,7 @@ impl SurfacePieces {
         })
     }
 
-    /// Whether waves longer than [`LONG_WAVES`] are made anew.
+    /// Whether waves longer than [`LONG_WAVES`] are generated.
     #[must_use]
     pub fn has_long_waves(&self) -> bool {
         self.long.is_some()

@@ -74,7 +74,7 @@ impl StudyResult for TraceChange {
 const OF_CORE: &str = "Rk and Rvk are heights from a line through the core. It moves where peaks are lost, so that Rvk can change \
     with the same valleys: the levels of the material ratio show the valleys themselves.";
 
-/// Noise below which a trace is taken as computed \[nm\]: half of the 0.1 nm that the quietest interferometers state (judgement).
+/// Noise below which a trace is taken as computed \[nm\]: half of the 0.1 nm that the quietest interferometers state (assumed).
 const LEAST_NOISE_NM: f64 = 0.05;
 
 /// That the traces have no noise, as computed ones.

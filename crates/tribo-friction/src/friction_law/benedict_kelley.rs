@@ -47,11 +47,11 @@ const ARGUMENT: FittedRange = FittedRange::new(
 );
 
 /// Viscosities of mineral gear oils at their working temperature; the oils of the tests were not
-/// available (judgement).
+/// available (assumed).
 const VISCOSITY: FittedRange =
     FittedRange::new("viscosity", 5.0, 500.0, "mPa s", "Benedict-Kelley");
 
-/// Sum of the surface speeds of roller and gear tests of their time (judgement).
+/// Sum of the surface speeds of roller and gear tests of their time (assumed).
 const SPEED: FittedRange = FittedRange::new(
     "sum of the surface speeds",
     0.5,

@@ -32,7 +32,7 @@ const PRESSURE: FittedRange =
     FittedRange::new("maximum pressure", 0.0, 1.4, "GPa", "Eyring (Arana)");
 
 /// Arana et al. 2019: viscosity in the film that Barus' law can mean at their pressures and oils; beyond
-/// it the limit rules (judgement).
+/// it the limit rules (assumed).
 const VISCOSITY: FittedRange =
     FittedRange::new("viscosity in the film", 0.1, 1e9, "Pa s", "Eyring (Arana)");
 

@@ -30,7 +30,7 @@ const SPEED_RANGE: FittedRange = FittedRange::new("pitch line speed", 2.0, 25.0,
 /// ISO/TR 14179-1, range of the load intensity.
 const LOAD_RANGE: FittedRange = FittedRange::new("load intensity K", 1.4, 14.0, "N/mm2", NAME);
 
-/// Mineral gear oils of ISO VG 32 to 1000 at the sump temperature (judgement).
+/// Mineral gear oils of ISO VG 32 to 1000 at the sump temperature (assumed).
 const VISCOSITY_RANGE: FittedRange =
     FittedRange::new("kinematic viscosity", 5.0, 500.0, "mm2/s", NAME);
 

@@ -36,7 +36,7 @@ const LOAD_RANGE: FittedRange =
 /// Usual range of the pitch line speed.
 const SPEED_RANGE: FittedRange = FittedRange::new("pitch line speed", 1.0, 50.0, "m/s", NAME);
 
-/// Gear oils at the temperature of the FZG tests (judgement).
+/// Gear oils at the temperature of the FZG tests (assumed).
 const VISCOSITY_RANGE: FittedRange = FittedRange::new("viscosity", 3.0, 500.0, "mPa s", NAME);
 
 /// Schlenk's mean friction coefficient.

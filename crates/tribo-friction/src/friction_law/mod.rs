@@ -50,7 +50,7 @@ macro_rules! friction_laws {
         }
 
         const ROWS: &[(PublishedLaw, Coefficient)] = &[$((
-            PublishedLaw { name: $name, judged: concat!($title, " (judgement)"), $($field: $value),+ },
+            PublishedLaw { name: $name, judged: concat!($title, " (assumed)"), $($field: $value),+ },
             $coefficient,
         )),+];
 
@@ -61,7 +61,7 @@ macro_rules! friction_laws {
     };
 }
 
-// The ranges of temperature and pressure are judgement, the texts give none. Xu's and Arana's laws check the pressure
+// The ranges of temperature and pressure are assumed, the texts give none. Xu's and Arana's laws check the pressure
 // themselves.
 friction_laws! {
     /// Xu 2005: regression of thermal mixed EHL solutions.

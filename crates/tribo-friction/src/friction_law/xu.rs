@@ -186,7 +186,7 @@ const RANGES: [FittedRange; 5] = [
     FittedRange::new("maximum pressure", 0.5, 2.5, "GPa", NAME),
     FittedRange::new("entrainment speed", 1.0, 20.0, "m/s", NAME),
     FittedRange::new("radius", 5.0, 80.0, "mm", NAME),
-    // A 75W90 from about 120 °C down to 40 °C (judgement).
+    // A 75W90 from about 120 °C down to 40 °C (assumed).
     FittedRange::new("viscosity", 5.0, 50.0, "mPa s", NAME),
 ];
 
