@@ -91,7 +91,7 @@ pub enum Mark {
     Seen,
     /// Fitted here to measurements of its source.
     Calibrated,
-    /// Judgement of this project.
+    /// Assumed by this project.
     Judged,
 }
 

@@ -1,7 +1,7 @@
 //! Surrogates: profiles for a flank of which only the finish and roughness values are known.
 //!
 //! The values leave the shape of the texture open, so it differs from surrogate to surrogate. Ranges of the shape are
-//! judgement: ground and superfinished gear flanks measured with a stylus lie within them.
+//! assumed: ground and superfinished gear flanks measured with a stylus lie within them.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
