@@ -7,14 +7,16 @@ use asperity_tests::picture::{document, hold_picture};
 use crate::gate::{Class, Gate, Verdict};
 use crate::gates::gates;
 
-/// Width of the drawing, and the left and right end of its axis.
-const WIDTH: f64 = 800.0;
-const ENDS: [f64; 2] = [395.0, 745.0];
+/// Width of the drawing, whose letters can be read at 400 pixels, and the left and right end of its axis.
+const WIDTH: f64 = 440.0;
+const ENDS: [f64; 2] = [14.0, 392.0];
 /// Values at the ends of the axis.
 const RANGE: [f64; 2] = [0.2, 1.8];
-/// Height of a row, and the top of the first.
-const ROW: f64 = 18.0;
-const TOP: f64 = 78.0;
+/// Height of a gate with its name above its bars, of a heading, and of the widest bar; the top of the first.
+const ROW: f64 = 28.0;
+const HEADING: f64 = 24.0;
+const THICK: f64 = 12.0;
+const TOP: f64 = 88.0;
 /// Standard errors on each side of a value that make its 90 % interval.
 const NINETY_PERCENT: f64 = 1.645;
 
@@ -61,15 +63,16 @@ fn label(text: &mut String, class: &str, [at, y]: [f64; 2], anchor: &str, words:
     );
 }
 
-/// A gate in row `y`; nothing if no value was measured.
-fn row(text: &mut String, gate: &Gate, y: f64) {
+/// A gate from `top` on; nothing if no value was measured.
+fn row(text: &mut String, gate: &Gate, top: f64) {
+    let y = top + 20.0;
     let ratio = |value: f64| gate.over_reference(value);
     let (Some(value), Some(measured)) = (ratio(gate.value.value), gate.reference) else {
         return;
     };
     let ends = |range: [f64; 2]| range.map(|end| ratio(end).unwrap_or(f64::NAN));
     if let Some(rule) = gate.rule {
-        bar(text, "area about c0", ends(rule), y, ROW - 5.0);
+        bar(text, "area about c0", ends(rule), y, THICK);
     }
     bar(text, "area c0", ends(measured), y, 5.0);
     let class = colour(gate.verdict());
@@ -80,7 +83,7 @@ fn row(text: &mut String, gate: &Gate, y: f64) {
         "<path class=\"curve {class}\" d=\"M{low:.1} {y}L{high:.1} {y}\"/>"
     );
     dot(text, class, x(value), y);
-    label(text, "letter", [ENDS[0] - 8.0, y + 4.0], "end", &gate.name);
+    label(text, "letter", [ENDS[0], top + 9.0], "start", &gate.name);
     let number = format!("{value:.2}");
     label(text, "letter", [WIDTH - 10.0, y + 4.0], "end", &number);
 }
@@ -89,6 +92,15 @@ fn row(text: &mut String, gate: &Gate, y: f64) {
 enum Shown<'a> {
     Heading(Class),
     Row(&'a Gate),
+}
+
+impl Shown<'_> {
+    const fn height(&self) -> f64 {
+        match self {
+            Self::Heading(_) => HEADING,
+            Self::Row(_) => ROW,
+        }
+    }
 }
 
 /// The drawing.
@@ -102,7 +114,7 @@ fn picture(gates: &[Gate]) -> String {
             shown.extend(rows.map(Shown::Row));
         }
     }
-    let bottom = TOP + ROW * shown.len() as f64;
+    let bottom = TOP + shown.iter().map(Shown::height).sum::<f64>();
     let mut text = String::new();
     let title = "Computed over measured, at the defaults of the program";
     label(&mut text, "title", [10.0, 20.0], "start", title);
@@ -112,22 +124,23 @@ fn picture(gates: &[Gate]) -> String {
         label(&mut text, "letter", [at + 8.0, 46.0], "start", name);
         at += 88.0;
     }
-    for (class, name, height, y) in [
-        ("area c0", "measured range", 5.0, 42.0),
-        ("area about c0", "range that passes", ROW - 5.0, 42.0),
+    at = 10.0;
+    for (class, name, height) in [
+        ("area c0", "measured range", 5.0),
+        ("area about c0", "range that passes", THICK),
     ] {
-        let top = y - 0.5 * height;
+        let top = 62.0 - 0.5 * height;
         let _ = write!(
             text,
             "<rect class=\"{class}\" x=\"{at:.1}\" y=\"{top}\" width=\"24\" height=\"{height}\"/>"
         );
-        label(&mut text, "letter", [at + 30.0, 46.0], "start", name);
+        label(&mut text, "letter", [at + 30.0, 66.0], "start", name);
         at += 138.0;
     }
     label(
         &mut text,
         "letter",
-        [at, 46.0],
+        [at, 66.0],
         "start",
         "lines: 90 % by sampling",
     );
@@ -146,22 +159,22 @@ fn picture(gates: &[Gate]) -> String {
             &tick.to_string(),
         );
     }
-    for (k, shown) in shown.iter().enumerate() {
-        let y = TOP + ROW * (k as f64 + 0.5);
+    let mut top = TOP;
+    for shown in &shown {
         match shown {
-            Shown::Row(gate) => row(&mut text, gate, y),
+            Shown::Row(gate) => row(&mut text, gate, top),
             Shown::Heading(class) => {
-                let place = [10.0, y + 4.0];
+                let place = [10.0, top + 17.0];
                 label(&mut text, "name", place, "start", class.text());
             }
         }
+        top += shown.height();
     }
-    let middle = 0.5 * (ENDS[0] + ENDS[1]);
     let name = "computed over the middle, or over the stated limit, of the measured range";
     label(
         &mut text,
         "name",
-        [middle - 40.0, bottom + 36.0],
+        [0.5 * WIDTH, bottom + 36.0],
         "middle",
         name,
     );
