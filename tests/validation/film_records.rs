@@ -481,7 +481,7 @@ const FILMS: [f64; 7] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.3, f64::INFINITY];
 /// The film and the boundary layer apart.
 pub fn part_table() -> String {
     let all = chosen_on();
-    let mut text = String::from("| part | records | model and record |\n|---|---|---|\n");
+    let mut text = String::from("| part | solutions | model and reference |\n|---|---|---|\n");
     for (model, name) in [
         ("film only hertz", "film at Hertz's pressure"),
         ("film only own", "film at its own pressure"),
@@ -498,7 +498,7 @@ pub fn part_table() -> String {
     let (count, sum, scatter) = boundary_sum();
     let _ = writeln!(
         text,
-        "| boundary layer where it adds more than 15 %, s < 3 | {count} | ratio of the sums {sum:.2}, scatter of one record {scatter:.2} |"
+        "| boundary layer where it adds more than 15 %, s < 3 | {count} | ratio of the sums {sum:.2}, scatter of one solution {scatter:.2} |"
     );
     let mut all = all;
     all.extend(rows(SECOND_BLIND));
@@ -514,7 +514,7 @@ pub fn part_table() -> String {
         let (count, ratio) = (parts.len(), sum(1) / sum(0));
         let _ = writeln!(
             text,
-            "| boundary layer, central film {name}, all records | {count} | ratio of the sums {ratio:.2} |"
+            "| boundary layer, central film {name}, all solutions | {count} | ratio of the sums {ratio:.2} |"
         );
     }
     text
@@ -527,7 +527,7 @@ const CLASSES: [f64; 7] = [0.0, 0.6, 1.2, 1.8, 2.3, 3.0, 6.0];
 pub fn class_table() -> String {
     let all = chosen_on();
     let mut text = String::from(
-        "| s | records | φ | ln gap | ln μ | ln μ, film alone |\n|---|---|---|---|---|---|\n",
+        "| s | solutions | φ | ln gap | ln μ | ln μ, film alone |\n|---|---|---|---|---|---|\n",
     );
     for ends in CLASSES.windows(2) {
         let is_in = |row: &&Row| (ends[0]..ends[1]).contains(&row.fast().roughness_over_film);
@@ -557,7 +557,7 @@ pub fn coverage_table() -> String {
     let second = rows(SECOND_BLIND);
     let (full, part) = second.split_at(FULL_LOAD.min(second.len()));
     let mut text = String::from(
-        "| records | ln μ: mean, root mean square | within 90 % with the errors of sampling | by the error of the model only | ln μ in the windows of the record: mean, root mean square | within 90 % by the error of the model only |\n|---|---|---|---|---|---|\n",
+        "| solutions | ln μ: mean, root mean square | within 90 % with the errors of sampling | by the error of the model only | ln μ in the windows of the solution: mean, root mean square | within 90 % by the error of the model only |\n|---|---|---|---|---|---|\n",
     );
     for (name, rows) in [
         ("65 gear meshes", &*rows(GEAR_MESHES)),
@@ -619,7 +619,7 @@ pub fn second_blind_table() -> String {
 /// A row for every record with its interval, then mean and root mean square.
 fn listed(rows: &[Row]) -> String {
     let mut text = String::from(
-        "| condition | s | φ: record, fast | gap µm: record × .975, fast | μ: record, fast, ln | film alone, ln | 90 % of ln | within |\n|---|---|---|---|---|---|---|---|\n",
+        "| condition | s | φ: reference, model | gap µm: reference × 0.975, model | μ: reference, model, ln | film alone, ln | 90 % of ln | within |\n|---|---|---|---|---|---|---|---|\n",
     );
     for row in rows {
         let (record, fast) = (&row.record, row.fast());
@@ -655,7 +655,7 @@ fn listed(rows: &[Row]) -> String {
 pub fn short_wave_table() -> String {
     let (long, short) = (rows(GEAR_MESHES), rows(SHORT_WAVES));
     let mut text = String::from(
-        "| condition | shortest wave µm | μ of the record | load below 20 nm | gap | μ of the model |\n|---|---|---|---|---|---|\n",
+        "| condition | shortest wave µm | μ of the reference | load below 20 nm | gap | μ of the model |\n|---|---|---|---|---|---|\n",
     );
     for row in &short {
         let (name, wave) = row.name.rsplit_once('_').unwrap();
@@ -691,7 +691,7 @@ fn risen(row: &Row, base: &Row) -> [f64; 4] {
 /// Records of scaled flanks at part load.
 pub fn part_load_table() -> String {
     let mut text = String::from(
-        "| condition | s | φ: record, fast | film alone, own pressure, ln | rippled, ln | μ: record, fast, ln |\n|---|---|---|---|---|---|\n",
+        "| condition | s | φ: reference, model | film alone, own pressure, ln | rippled, ln | μ: reference, model, ln |\n|---|---|---|---|---|---|\n",
     );
     for row in rows(PART_LOAD) {
         let (record, fast) = (&row.record, row.fast());
