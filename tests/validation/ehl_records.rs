@@ -375,7 +375,8 @@ pub fn mean_and_rms(values: impl Iterator<Item = f64>) -> [f64; 2] {
 
 /// Mean and root mean square of the model minus the records of the gear meshes.
 pub fn law_table() -> String {
-    let mut text = String::from("| Ψ of | records | φ | ln gap | ln μ |\n|---|---|---|---|---|\n");
+    let mut text =
+        String::from("| Ψ of | solutions | φ | ln gap | ln μ |\n|---|---|---|---|---|\n");
     type Of = fn(&Compared) -> &Fast;
     let by: [(&str, Of); 2] = [
         ("window", |row| &row.of_windows),

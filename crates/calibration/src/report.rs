@@ -123,7 +123,7 @@ impl StudyResult for Design {
         .text(
             self.simulated_w
                 .as_ref()
-                .map(|_| "simulated.csv holds SIMULATED losses at these points."),
+                .map(|_| "simulated.csv contains SIMULATED losses at these points."),
         )
         .text_file("design.csv", rig_table(self, None));
         match &self.simulated_w {

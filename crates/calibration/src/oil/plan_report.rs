@@ -50,7 +50,7 @@ impl StudyResult for OilPlan {
 
     fn report(&self) -> Report<'_> {
         let simulated =
-            format!("{SIMULATED_TABLE} holds {SIMULATED} readings of the standard plan.");
+            format!("{SIMULATED_TABLE} contains {SIMULATED} readings of the standard plan.");
         let choice = choice(self);
         let report = Report::new(&self.title, "traction plan")
             .section("Expected errors")
