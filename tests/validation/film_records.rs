@@ -31,7 +31,8 @@ const PASSED_WINDOWS: f64 = 4.0;
 /// Half-widths of travel between windows that know nothing of each other, about.
 const TRAVEL_OF_A_WINDOW: f64 = 14.0 / 12.0;
 /// Conditions with the means of another program over the same windows: friction, asperity share, the boundary layer's part of the
-/// friction, gap in µm. Its film has other nodes, and its asperity contacts formed inside the contact are sheared at the film of half the sliding speed.
+/// friction, gap in µm. Its film has other nodes, and its asperity contacts formed inside the contact are sheared at the film of half
+/// the sliding speed.
 const OF_ANOTHER_PROGRAM: [(&str, [f64; 4]); 12] = [
     ("e-ground_90_0.1", [0.03028, 0.2879, 0.01656, 0.4955]),
     ("e-ground_120_0.5", [0.02005, 0.2917, 0.01204, 0.4992]),

@@ -32,13 +32,14 @@ pub struct Uncertainty {
     pub roughness_over_film: Option<f64>,
     /// Contribution of the sampling of the flanks.
     pub sampling: SamplingPart,
-    /// Friction of the boundary layer at the 5 % and 95 % quantiles of the boundary share of asperity contacts formed inside the contact \[W\]: how far the records of
-    /// mixed lubrication tell it from the friction of lubricated asperities. `None` if that share is not drawn.
+    /// Friction of the boundary layer at the 5 % and 95 % quantiles of the boundary share of asperity contacts formed inside the contact
+    /// \[W\]: how well the reference solutions distinguish it from the friction of lubricated asperities. `None` if that share is not
+    /// sampled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub boundary_w: Option<[f64; 2]>,
-    /// The loss over the boundary share of asperity contacts formed inside the contact, which is drawn.
+    /// The loss over the boundary share of asperity contacts formed inside the contact, which is sampled.
     pub structures: Vec<AlternativeRow>,
-    /// The loss by models that records or measurements contradict; none is drawn.
+    /// The loss by models that reference solutions or measurements contradict; none is sampled.
     pub other_models: Vec<AlternativeRow>,
     /// Trust in the result.
     pub trust: Trust,
