@@ -108,6 +108,8 @@ STATED = {
         ("ComparisonFinish.loss_at_medians_w", "ComparisonFinishMesh.loss_at_medians_w", "CycleFinish.lost_at_medians_wh", "Sensitivity.loss_at_medians_w"),
         "Optional[float]",
     ),
+    # Of changes without draws in common.
+    **dict.fromkeys(("SensitivityRow.sampling_p05_w", "SensitivityRow.sampling_p95_w"), "Optional[float]"),
 }
 """Types of columns that are empty in the examples, or left open elsewhere."""
 LISTS = {"float": "Floats", "int": "Floats", "str": "list[str]"}

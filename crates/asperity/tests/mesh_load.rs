@@ -232,6 +232,45 @@ fn a_trace_from_the_root_is_read_from_its_other_end_on_a_wheel_and_on_a_ring() {
     }
 }
 
+/// A stated module is the normal one, and a positive profile shift brings the teeth of a ring towards its axis.
+#[test]
+fn keys_of_gears_say_which_module_and_which_sign_of_a_ring() {
+    let page = asperity::case::markdown().unwrap();
+    let meaning = |key: &str| {
+        let row = format!("| `{key}` |");
+        let line = page.lines().find(|line| line.starts_with(&row));
+        line.unwrap_or_else(|| panic!("{key}"))
+    };
+    let says = "Normal module m_n; the transverse one with `module_plane = \"transverse\"`.";
+    assert!(meaning("gears.module").contains(says));
+    let gears = |keys: &[(&str, &str)]| {
+        changed(&pair("[24, -75]", "15 deg"), keys)
+            .case
+            .gears
+            .clone()
+    };
+    let [normal, stated, transverse] = [
+        gears(&[]),
+        gears(&[("gears.module_plane", "normal")]),
+        gears(&[("gears.module_plane", "transverse")]),
+    ]
+    .map(|gears| gears.base_radius[0].si());
+    assert_eq!(normal, stated);
+    assert!(transverse < 0.97 * normal, "{transverse} {normal}");
+    let said = meaning("gears.profile_shift");
+    assert!(said.contains("A positive one brings the teeth of a ring gear towards its axis."));
+    let tip = |shift: &str| {
+        let gears = gears(&[("gears.profile_shift", shift)]);
+        gears.tip_radius[1].si().abs() * 1e3
+    };
+    // A tenth of 1.5 mm, but for the tips that keep their clearance.
+    let [outwards, none, inwards] = ["[0.0, -0.1]", "[0.0, 0.0]", "[0.0, 0.1]"].map(tip);
+    assert!(
+        inwards < none - 0.1 && none < outwards - 0.1,
+        "{inwards} {none} {outwards}"
+    );
+}
+
 #[test]
 fn rings_that_cannot_mesh_are_refused_with_their_reason() {
     let case = pair("[24, -75]", "0 deg");

@@ -114,7 +114,8 @@ def map(
 
     The losses are of the mesh only, without bearings, seals and churning. Every point is the run at this torque,
     speed and temperature; the median of its loss and the quantiles (loss_p05_w, loss_p95_w) are from samples at three
-    torques and three speeds.
+    torques and three speeds. Flanks with operation.running_in run in once, at its torque, and the whole map is
+    theirs.
 
     Parameters:
         case: the case.

@@ -562,26 +562,28 @@ class CycleValues(Values):
 
 
 class SensitivityRow(Values):
-    _absent = {"code": None}
+    _absent = {"sampling_p05_w": None, "sampling_p95_w": None, "code": None}
     group: str
     what: str
     to: str
     difference_w: float
     change: float
-    sampling_p05_w: float
-    sampling_p95_w: float
+    sampling_p05_w: Optional[float]
+    sampling_p95_w: Optional[float]
     film_w: float
     lubricated_asperity_w: float
     boundary_w: float
     rolling_w: float
     code: Optional[str]
+    p05_w: float
+    p95_w: float
 
 
-class SensitivityRowTable(TableOf[SensitivityRow, Literal["difference_w", "change", "sampling_p05_w", "sampling_p95_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w"], Literal["group", "what", "to", "code"]]):
+class SensitivityRowTable(TableOf[SensitivityRow, Literal["difference_w", "change", "sampling_p05_w", "sampling_p95_w", "film_w", "lubricated_asperity_w", "boundary_w", "rolling_w", "p05_w", "p95_w"], Literal["group", "what", "to", "code"]]):
     _row = SensitivityRow
     group: NDArray[Any]; what: NDArray[Any]; to: NDArray[Any]; difference_w: Floats; change: Floats
     sampling_p05_w: Floats; sampling_p95_w: Floats; film_w: Floats; lubricated_asperity_w: Floats; boundary_w: Floats
-    rolling_w: Floats; code: NDArray[Any]
+    rolling_w: Floats; code: NDArray[Any]; p05_w: Floats; p95_w: Floats
 
 
 class SensitivityValues(Values):
