@@ -118,7 +118,7 @@ fn the_summary_names_both_efficiencies_and_whose_the_parts_are() {
         .find(|line| line.starts_with("efficiency (gearbox)"));
     assert!(line.is_some_and(|line| line.contains("..")), "{text}");
     let says =
-        "in addition to the mesh 111 W, from the input and without an interval: seal 1 111 W";
+        "in addition to the mesh 111 W, from the input and without an interval: seal 1\n  111 W";
     assert!(text.contains(says), "{text}");
     coarse(&bench, &["run", "-o", "out"], &[SEAL]).well();
     let page = std::fs::read_to_string(bench.path("out/report.html")).unwrap();
