@@ -9,13 +9,13 @@ use asperity::flanks::surfaces::PairsOfTeeth;
 use asperity::flanks::{Surfaces, Texture};
 use asperity::pipeline::check_heights;
 use asperity::{PositionError, Run};
-use asperity_core::numerics::standard_normal_quantile;
+use asperity_core::numerics::{mean, standard_normal_quantile};
 use asperity_core::quantity::Length;
 use asperity_core::task::try_par_map;
 use asperity_core::{DomainError, Fault, Profile};
-use asperity_roughness::Parameters;
 use asperity_roughness::generate::Fitted;
-use asperity_roughness::height_parameters::Mode;
+use asperity_roughness::height_parameters::{Mode, in_sections, sections_in};
+use asperity_roughness::material_ratio::rk_parameters;
 use chacha20::ChaCha8Rng;
 use rand_core::Rng;
 use schemars::JsonSchema;
@@ -26,6 +26,8 @@ use crate::sweep::{stream, uniform};
 
 /// Pairs of flanks whose mean loss is the loss of a lot.
 pub(super) const PAIRS: usize = 16;
+/// Lots of which one pair each is run together, so that they share positions, smooth films and the load of the gears.
+pub(super) const TOGETHER: usize = 16;
 /// Offsets of each pair of traces; other windows of the same flanks would change the loss of a lot by half a percent.
 pub(super) const OFFSETS: usize = 2;
 /// Ratio of Rq of both flanks up to which they have one recipe.
@@ -35,9 +37,6 @@ const ALIKE: f64 = 1.25;
 const POINTS_OF_A_LOT: usize = 5000;
 /// Fewest traces in them.
 const FEWEST_TRACES: usize = 32;
-/// Streams of random numbers of lots whose shape is the recipe's, beyond the streams of the other lots.
-const NOMINAL_STREAM: u64 = 1 << 40;
-
 /// Roughness parameter of a call-out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -114,8 +113,15 @@ struct Recipe {
 pub(super) struct Lot {
     /// Parameters of each inspected trace over the parameters of the recipe, mean of both recipes if there are two.
     pub inspected: Vec<Values>,
-    /// Its pairs of flanks.
-    pairs: Surfaces,
+    /// Logarithms of the parameters of each of its pairs, root mean squares of both flanks; the first pair is run.
+    pub pairs: Vec<Values>,
+}
+
+/// Lots with a pair of flanks of each.
+pub(super) struct Batch {
+    pub lots: Vec<Lot>,
+    /// Their first pairs.
+    met: Surfaces,
 }
 
 /// Manufacture of lots for a case.
@@ -153,7 +159,7 @@ impl Process {
         let rq = |body: usize| -> Result<f64, Fault> {
             let of = traces[body]
                 .iter()
-                .map(|trace| Ok(values(trace, section)?.0[1]));
+                .map(|trace| Ok(Inspected::of(trace, section)?.values[1]));
             Ok(of.sum::<Result<f64, Fault>>()? / traces[body].len() as f64)
         };
         let ratio = rq(0)? / rq(1)?;
@@ -186,28 +192,34 @@ impl Process {
         self.recipes.iter().map(|recipe| recipe.values).collect()
     }
 
-    /// Lot `number`, of which `count` traces of each recipe are inspected, on flanks that are in none of its pairs.
-    pub(super) fn lot(&self, number: usize, count: usize) -> Result<Lot, Fault> {
-        let random = stream(self.seed, number as u64, false);
-        let of_height = |shape: Shape| Shape([1.0, shape.0[1], shape.0[2]]);
-        self.made(random, count, |random| {
-            of_height(Shape::RECIPE.scattered(self.scatter, random))
-        })
-    }
-
-    /// A lot with the medians of the recipe, without inspection.
-    pub(super) fn nominal(&self, number: usize) -> Result<Lot, Fault> {
-        let random = stream(self.seed, NOMINAL_STREAM + number as u64, false);
-        self.made(random, 0, |_| Shape::RECIPE)
-    }
-
-    fn made(
+    /// The lots of these `numbers`, of which `count` traces of each recipe are inspected, on flanks that are in none of their
+    /// pairs.
+    pub(super) fn batch(
         &self,
-        mut random: ChaCha8Rng,
+        numbers: std::ops::Range<usize>,
         count: usize,
-        of_lot: impl FnOnce(&mut ChaCha8Rng) -> Shape,
-    ) -> Result<Lot, Fault> {
-        let shape = of_lot(&mut random);
+    ) -> Result<Batch, Fault> {
+        let (mut lots, mut met) = (Vec::new(), Vec::new());
+        for number in numbers {
+            checkpoint().map_err(asperity::Error::from)?;
+            let (lot, first) = self.lot(number, (count, 1))?;
+            lots.push(lot);
+            met.push(first);
+        }
+        let met = Surfaces::of_pairs(PairsOfTeeth { teeth: None, met });
+        let met = met.ok_or_else(no_profile)?;
+        Ok(Batch { lots, met })
+    }
+
+    /// A lot with `count` inspected traces, and its first `kept` pairs.
+    fn lot(
+        &self,
+        number: usize,
+        (count, kept): (usize, usize),
+    ) -> Result<(Lot, Vec<Surfaces>), Fault> {
+        let mut random = stream(self.seed, number as u64, false);
+        let Shape(of_lot) = Shape::RECIPE.scattered(self.scatter, &mut random);
+        let shape = Shape([1.0, of_lot[1], of_lot[2]]);
         let mut flank = |recipe: &Recipe, points: usize| {
             let own = shape.scattered(self.scatter, &mut random);
             recipe.flank((self.spacing, points), own, &mut random)
@@ -216,38 +228,58 @@ impl Process {
         for _ in 0..count {
             let mut mean = [0.0; 3];
             for recipe in &self.recipes {
-                let (found, _) = values(&flank(recipe, recipe.points)?, self.section)?;
+                let found = Inspected::of(&flank(recipe, recipe.points)?, self.section)?;
                 for (mean, (value, of_recipe)) in
-                    mean.iter_mut().zip(found.iter().zip(recipe.values))
+                    mean.iter_mut().zip(found.values.iter().zip(recipe.values))
                 {
                     *mean += value / of_recipe / self.recipes.len() as f64;
                 }
             }
             inspected.push(mean);
         }
-        let mut met = Vec::with_capacity(PAIRS);
-        for _ in 0..PAIRS {
+        let (mut pairs, mut first) = (Vec::with_capacity(PAIRS), Vec::with_capacity(kept));
+        for number in 0..PAIRS {
             let mut of = |body: usize| {
                 let recipe = self.recipes.get(body).unwrap_or(&self.recipes[0]);
                 flank(recipe, self.points[body])
             };
             let traces = [of(0)?, of(1)?];
-            let mut rz = [None; 2];
-            for (rz, trace) in rz.iter_mut().zip(&traces) {
-                *rz = Some(parameters(trace, self.section)?.heights.rz);
+            let [one, other] = &traces;
+            let found = [
+                Inspected::of(one, self.section)?,
+                Inspected::of(other, self.section)?,
+            ];
+            let [one, other] = [found[0].values, found[1].values];
+            pairs.push([0, 1, 2].map(|k| 0.5 * (0.5 * (one[k].powi(2) + other[k].powi(2))).ln()));
+            if number < kept {
+                let rz = found.map(|found| Some(found.rz));
+                first.push(self.case.surfaces.with_traces(traces).with_rz(rz));
             }
-            met.push(vec![self.case.surfaces.with_traces(traces).with_rz(rz)]);
         }
-        let pairs = Surfaces::of_pairs(PairsOfTeeth { teeth: None, met });
-        let pairs = pairs.ok_or_else(no_profile)?;
-        Ok(Lot { inspected, pairs })
+        Ok((Lot { inspected, pairs }, first))
     }
 
-    /// Mean loss of the pairs of `lot` with all heights times `height` \[W\].
-    pub(super) fn loss(&self, lot: &Lot, height: f64) -> Result<f64, Fault> {
-        let flanks = lot.pairs.with_heights_times(height)?;
-        let case = self.case.with_surfaces(flanks);
-        Ok(Run::new(&case).losses()?.into_only()?.summary.loss_w)
+    /// Mean loss of all pairs of a lot with all heights times `height` \[W\].
+    #[cfg(test)]
+    pub(super) fn loss_of_lot(&self, number: usize, height: f64) -> Result<f64, Fault> {
+        let (lot, met) = self.lot(number, (0, PAIRS))?;
+        let lots = vec![lot];
+        let met = met.into_iter().map(|met| vec![met]).collect();
+        let met = Surfaces::of_pairs(PairsOfTeeth { teeth: None, met }).unwrap();
+        Ok(mean(self.losses_of_pairs(&met, height)?))
+    }
+
+    /// Loss of the first pair of each lot with all heights times `height` \[W\].
+    pub(super) fn losses(&self, batch: &Batch, height: f64) -> Result<Vec<f64>, Fault> {
+        self.losses_of_pairs(&batch.met, height)
+    }
+
+    fn losses_of_pairs(&self, met: &Surfaces, height: f64) -> Result<Vec<f64>, Fault> {
+        let case = self.case.with_surfaces(met.with_heights_times(height)?);
+        let found = Run::new(&case).losses()?.into_only()?;
+        let each = found.offsets.len() / met.pairs();
+        let pairs = found.offsets.chunks_exact(each);
+        Ok(pairs.map(|rows| mean(rows.iter().map(|row| row.loss_w))).collect())
     }
 }
 
@@ -280,11 +312,11 @@ impl Recipe {
         for whole in &wholes {
             going()?;
             for part in whole.heights().chunks_exact(points) {
-                let (found, own) = values(&Profile::new(fitted.spacing, part.to_vec())?, section)?;
-                for (sum, value) in sum.iter_mut().zip(found) {
+                let found = Inspected::of(&Profile::new(fitted.spacing, part.to_vec())?, section)?;
+                for (sum, value) in sum.iter_mut().zip(found.values) {
                     *sum += value;
                 }
-                ra += own;
+                ra += found.ra.si();
                 number += 1.0;
             }
         }
@@ -323,21 +355,30 @@ fn between([a, b, c, d]: [f64; 4], t: f64) -> f64 {
     b + 0.5 * t * (c - a + t * (second + t * third))
 }
 
-/// Parameters of a trace in their units, and Ra \[m\].
-fn values(trace: &Profile, section: Length) -> Result<(Values, f64), Fault> {
-    const MICRO: f64 = 1e6;
-    let found = parameters(trace, section)?;
-    let heights = found.heights;
-    let values = [
-        found.material.rpk.si() * MICRO,
-        heights.rq.si() * MICRO,
-        heights.rdq,
-    ];
-    Ok((values, heights.ra.si()))
+/// What is measured on a trace of a lot.
+struct Inspected {
+    /// Parameters in their units.
+    values: Values,
+    ra: Length,
+    rz: Length,
 }
 
-fn parameters(trace: &Profile, section: Length) -> Result<Parameters, Fault> {
-    Parameters::of(trace, Mode::Iso4287, section).map_err(of_recipe)
+impl Inspected {
+    fn of(trace: &Profile, section: Length) -> Result<Self, Fault> {
+        const MICRO: f64 = 1e6;
+        let sections = sections_in(trace, section).map_err(of_recipe)?;
+        let heights = in_sections(trace, Mode::Iso4287, sections).map_err(of_recipe)?;
+        let material = rk_parameters(trace.heights()).map_err(of_recipe)?;
+        Ok(Self {
+            values: [
+                material.rpk.si() * MICRO,
+                heights.rq.si() * MICRO,
+                heights.rdq,
+            ],
+            ra: heights.ra,
+            rz: heights.rz,
+        })
+    }
 }
 
 /// Distinct traces of a flank.
@@ -395,7 +436,7 @@ mod tests {
 
     /// Mean and standard deviation of Rq over the traces of 24 lots, over Rq of the recipe.
     fn rq(process: &Process) -> [f64; 2] {
-        let lots = (0..24).map(|number| process.lot(number, 8).unwrap());
+        let lots = process.batch(0..24, 8).unwrap().lots.into_iter();
         let all: Vec<f64> = lots
             .flat_map(|lot| lot.inspected)
             .map(|values| values[1])

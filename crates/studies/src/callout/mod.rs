@@ -15,6 +15,11 @@
 //! by factors; each scatters about the median of its lot with the stated standard deviation of its logarithm. The medians of
 //! wavelengths and peaks scatter equally from lot to lot about the recipe.
 //!
+//! One pair of each lot is run, at the height at which the lots lose the stated loss on average; the mean over its 16 pairs
+//! follows from the parameters of their traces by a regression over all lots. Pairs of 16 lots are run together and share positions,
+//! smooth films and the load of the gears. The curve of the loss over the height is of the pairs of the first 16 lots at equal
+//! flanks, and takes the level of all lots.
+//!
 //! Assumption about the lots: before the inspection nothing is known of the height s of a lot, ln s is uniform. The inspected
 //! mean of a lot is s u_n, so that a lot whose inspected mean is x has s = x/u_n, and it meets the loss if x ≤ s* u_n: the limit
 //! is a quantile of s* u_n over the lots.
@@ -35,6 +40,7 @@
 
 mod error;
 mod lots;
+mod pair_losses;
 mod report;
 mod study;
 mod target;

@@ -36,6 +36,7 @@ impl StudyResult for CallOut {
             .figures(|| [curve_chart(self)])
             .text([conditions(self)])
             .text([losses(self)])
+            .text([precision(self)])
             .text(above(self))
             .on_page()
             .table(table(self))
@@ -216,6 +217,17 @@ fn inspection(study: &CallOut) -> String {
     format!(
         "Inspect {} flank{plural} {of}, with one trace on each, {band}. {decisive} decides.",
         study.traces
+    )
+}
+
+/// Error of the limits by the number of lots.
+fn precision(study: &CallOut) -> String {
+    let error = |row: &LimitRow| row.standard_error / row.limit;
+    let largest = study.limits.iter().map(error).fold(0.0, f64::max);
+    format!(
+        "The {} simulated lots leave a standard error of {:.1} % in the limit.",
+        study.lots,
+        100.0 * largest
     )
 }
 

@@ -1,5 +1,6 @@
 //! Computation of a call-out.
 
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::{Case, LoadedCase};
@@ -15,7 +16,8 @@ use asperity_report::{StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
 use super::error;
-use super::lots::{Lot, OFFSETS, PAIRS, Process, RoughnessParameter, Values};
+use super::lots::{Batch, Lot, OFFSETS, Process, RoughnessParameter, TOGETHER, Values};
+use super::pair_losses::losses_of_lots;
 use super::target::LossTarget;
 
 /// Most traces to inspect.
@@ -27,8 +29,6 @@ const FINISHES: [f64; 2] = [0.01e-6, 1.6e-6];
 /// Ratio of the heights between points of the curve of the loss, and points on each side of the stated loss.
 const STEP: f64 = 1.25;
 const AROUND: i32 = 3;
-/// Lots of the recipe whose mean loss is the curve.
-const NOMINAL_LOTS: usize = 3;
 /// Estimated points of the curve, for the estimate of the time.
 const CURVE: usize = 10;
 
@@ -77,8 +77,7 @@ impl StudySettings for CallOutSettings {
     fn work(&self, case: &LoadedCase) -> Result<Option<Work>, Fault> {
         let pair = case.first_pair();
         let pair = pair.overridden(|over| over.offsets = Some(OFFSETS))?;
-        let runs = PAIRS * (self.lots + CURVE * NOMINAL_LOTS);
-        Ok(Some(Work::new(vec![pair], runs)))
+        Ok(Some(Work::new(vec![pair], self.lots + CURVE * TOGETHER)))
     }
 
     fn run(&self, case: LoadedCase, watch: &Watch<'_>) -> Result<CallOut, Fault> {
@@ -152,7 +151,7 @@ pub struct CallOut {
     pub height_at_limit: f64,
     /// Mean loss of lots at the limit \[W\].
     pub mean_loss_w: f64,
-    /// Mean loss of lots of the recipe of the case \[W\].
+    /// Mean loss of lots at the height of the recipe of the case \[W\].
     pub recipe_loss_w: f64,
     /// Loss of smooth flanks \[W\].
     pub smooth_loss_w: f64,
@@ -160,7 +159,7 @@ pub struct CallOut {
     pub parameters: Vec<ParameterRow>,
     /// Limit by the number of traces.
     pub by_traces: Vec<TracesRow>,
-    /// Loss of lots of the recipe by the height of their flanks.
+    /// Mean loss of the lots by the height of their flanks.
     pub curve: Vec<CurvePoint>,
     /// Simulated lots.
     pub lots: usize,
@@ -257,19 +256,23 @@ fn of_process(
     progress: Progress<'_>,
 ) -> Result<CallOut, Fault> {
     let done = AtomicUsize::new(0);
-    let runs = settings.lots + CURVE * NOMINAL_LOTS;
-    let count = || {
-        let done = 1 + done.fetch_add(1, Ordering::Relaxed);
+    let runs = settings.lots + CURVE * TOGETHER;
+    let count = |pairs: usize| {
+        let done = pairs + done.fetch_add(pairs, Ordering::Relaxed);
         progress(done.min(runs), runs);
     };
-    let curve = Curve::of(process, settings.loss, &count)?;
-    let met: Vec<MetLot> = try_par_map(0..settings.lots, |number| -> Result<_, Fault> {
-        let lot = process.lot(number, MOST_TRACES)?;
-        let found = MetLot::of(process, lot, &curve)?;
-        checkpoint().map_err(asperity::Error::from)?;
-        count();
-        Ok(found)
+    let first = process.batch(0..TOGETHER, 0)?;
+    let mut curve = Curve::of(process, &first, settings.loss, &count)?;
+    let batches = (0..settings.lots).step_by(TOGETHER);
+    let batches: Vec<usize> = batches.collect();
+    let found = try_par_map(&batches, |begin| -> Result<_, Fault> {
+        let numbers = *begin..settings.lots.min(begin + TOGETHER);
+        let batch = process.batch(numbers, MOST_TRACES)?;
+        let losses = process.losses(&batch, curve.height)?;
+        count(batch.lots.len());
+        Ok(batch.lots.into_iter().zip(losses).collect::<Vec<_>>())
     })?;
+    let met = MetLots::of(found.into_iter().flatten().collect(), &mut curve);
     progress(runs, runs);
     let parameters = [0, 1, 2].map(|k| Evaluated::of(&met, k, settings));
     let best = |k: &usize| parameters[*k].quantile.deviation;
@@ -334,7 +337,7 @@ fn of_process(
                     .limit,
             })
             .collect(),
-        curve: curve.points(&met),
+        curve: curve.points(&met.lots),
         lots: settings.lots,
         seed: settings.seed,
     })
@@ -357,52 +360,54 @@ fn mean_of_first(inspected: &[Values], count: usize) -> Values {
     [0, 1, 2].map(|k| first.iter().map(|values| values[k]).sum::<f64>() / first.len() as f64)
 }
 
-/// Mean loss of lots of the recipe over their heights, about the stated loss.
+/// Mean loss of the lots over their heights, about the stated loss.
 struct Curve {
     /// Logarithm of the height, and loss \[W\]; both ascending.
     nodes: Vec<[f64; 2]>,
     /// Loss of the smoothest flanks \[W\].
     smooth: f64,
+    /// What is stated of the loss.
+    stated: LossTarget,
     /// Stated loss \[W\].
     target: f64,
     /// Height at which they lose it.
     height: f64,
+    /// Standard error of the logarithm of this height over the height of the recipe, by the number of pairs; 0 unless the
+    /// stated loss is a change of the loss of the recipe.
+    error: f64,
 }
 
 impl Curve {
-    fn of(process: &Process, stated: LossTarget, count: &(dyn Fn() + Sync)) -> Result<Self, Fault> {
-        let lots: Vec<Lot> = (0..NOMINAL_LOTS)
-            .map(|number| process.nominal(number))
-            .collect::<Result<_, _>>()?;
-        let loss = |height: f64| -> Result<f64, Fault> {
-            let of = |lot| {
-                let loss = process.loss(lot, height);
-                count();
-                loss
-            };
+    /// The curve of the first pairs of the lots of `batch`.
+    fn of(
+        process: &Process,
+        batch: &Batch,
+        stated: LossTarget,
+        count: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, Fault> {
+        let losses = |height: f64| -> Result<Vec<f64>, Fault> {
             checkpoint().map_err(asperity::Error::from)?;
-            let losses = try_par_map(&lots, of)?;
-            Ok(losses.iter().sum::<f64>() / NOMINAL_LOTS as f64)
+            let losses = process.losses(batch, height)?;
+            count(losses.len());
+            Ok(losses)
         };
-        let smooth = loss(FINISHES[0] / process.ra)?;
-        let mut found = std::collections::BTreeMap::new();
-        let target = match stated {
-            LossTarget::Of(power) => power.si(),
-            change => change.watts(*found.entry(0).or_insert(loss(1.0)?)),
-        };
+        let of_all = |losses: &[f64]| mean(losses.iter().copied());
+        let smooth = of_all(&losses(FINISHES[0] / process.ra)?);
+        let present = losses(1.0)?;
+        let target = stated.watts(of_all(&present));
         if target < smooth {
             return Err(error::below_smooth(target, smooth));
         }
+        let mut found = BTreeMap::from([(0, present)]);
         let least = (FINISHES[0] / process.ra).ln() / STEP.ln();
         // Flanks as rough as the roughest have their double as well.
         let most = (FINISHES[1] / process.ra).max(2.0).ln() / STEP.ln();
         let mut at = |step: i32| -> Result<f64, Fault> {
             if let Some(known) = found.get(&step) {
-                return Ok(*known);
+                return Ok(of_all(known));
             }
-            let value = loss(STEP.powi(step))?;
-            found.insert(step, value);
-            Ok(value)
+            let losses = losses(STEP.powi(step))?;
+            Ok(of_all(found.entry(step).or_insert(losses)))
         };
         let mut below = 0;
         while at(below)? > target && f64::from(below) > least {
@@ -419,24 +424,62 @@ impl Curve {
                 ));
             }
         }
-        at(0)?;
         for step in below + 1 - AROUND..=below + AROUND {
             at(step)?;
         }
         let mut nodes: Vec<[f64; 2]> = Vec::new();
-        for (step, loss) in found {
+        for (step, losses) in &found {
             // Numerical noise of flat parts is removed.
             let before = nodes.last().map_or(f64::NEG_INFINITY, |node| node[1]);
-            nodes.push([f64::from(step) * STEP.ln(), loss.max(before)]);
+            nodes.push([f64::from(*step) * STEP.ln(), of_all(losses).max(before)]);
         }
         let mut curve = Self {
             nodes,
             smooth,
+            stated,
             target,
             height: 1.0,
+            error: 0.0,
         };
         curve.height = curve.height_at(target).exp();
+        curve.error = curve.error_by_pairs(&found);
         Ok(curve)
+    }
+
+    /// The pairs that change by less than their mean with the height differ in the height at which their loss has changed as
+    /// stated. `found` has their losses by the step of the height.
+    fn error_by_pairs(&self, found: &BTreeMap<i32, Vec<f64>>) -> f64 {
+        let share = self.stated.watts(1.0) - self.stated.watts(0.0);
+        let step = self.height.ln() / STEP.ln();
+        let ends = [step.floor(), step.ceil()].map(|step| found.get(&(step as i32)));
+        let (Some(present), [Some(below), Some(above)]) = (found.get(&0), ends) else {
+            return 0.0;
+        };
+        let part = step - step.floor();
+        let pairs = below.iter().zip(above).zip(present);
+        let pairs: Vec<f64> = pairs
+            .map(|((below, above), present)| below + part * (above - below) - share * present)
+            .collect();
+        match share {
+            0.0 => 0.0,
+            _ => moments(&pairs)[1] / (pairs.len() as f64).sqrt() / self.slope(),
+        }
+    }
+
+    /// Slope of the loss over the logarithm of the height at the stated loss \[W\].
+    fn slope(&self) -> f64 {
+        let [below, above] = [-0.5, 0.5].map(|by| self.loss_at(self.height.ln() + by * STEP.ln()));
+        (above - below) / STEP.ln()
+    }
+
+    /// Moves the curve along the heights so that its loss at the height of the runs is `loss`, and the stated loss with it.
+    fn levelled(&mut self, loss: f64) {
+        let by = self.height.ln() - self.height_at(loss);
+        for [ln_height, _] in &mut self.nodes {
+            *ln_height += by;
+        }
+        self.target = self.stated.watts(self.loss_at(0.0));
+        self.height = self.height_at(self.target).exp();
     }
 
     /// Logarithm of the height with this loss, held at the ends of the curve.
@@ -449,8 +492,8 @@ impl Curve {
         interpolate(&self.nodes, ln_height)
     }
 
-    /// A lot that loses the stated loss at the height s* loses at the height s what lots of the recipe lose at s·s₀/s*,
-    /// where s₀ is their height for the stated loss.
+    /// A lot that loses the stated loss at the height s* loses at the height s what the curve has at s·s₀/s*, where s₀ is its height
+    /// for the stated loss.
     fn points(&self, lots: &[MetLot]) -> Vec<CurvePoint> {
         let heights: Vec<f64> = lots.iter().map(|lot| lot.ln_height).collect();
         let [low, high] = sorted_quantiles(&heights, ENDS);
@@ -478,15 +521,29 @@ struct MetLot {
     inspected: Vec<Values>,
 }
 
-impl MetLot {
-    /// The lot is run at the height at which lots of the recipe have the stated loss; its other loss there is the loss of
-    /// lots of the recipe at another height, in the ratio of which its own height differs.
-    fn of(process: &Process, lot: Lot, curve: &Curve) -> Result<Self, Fault> {
-        let loss = process.loss(&lot, curve.height)?;
-        Ok(Self {
-            ln_height: 2.0 * curve.height.ln() - curve.height_at(loss),
+/// Lots with the standard error that all their heights have in common, of the logarithm.
+struct MetLots {
+    lots: Vec<MetLot>,
+    error: f64,
+}
+
+impl MetLots {
+    /// The lots of `found` with the loss of their first pair at the height of the curve, whose level becomes theirs. The loss of
+    /// a lot at another height is the loss of the curve at the height that differs in the same ratio.
+    fn of(found: Vec<(Lot, f64)>, curve: &mut Curve) -> Self {
+        let (lots, losses): (Vec<Lot>, Vec<f64>) = found.into_iter().unzip();
+        let (losses, error) = losses_of_lots(&lots, &losses);
+        let run = curve.height.ln();
+        curve.levelled(mean(losses.iter().copied()));
+        let wanted = run + curve.height_at(curve.target);
+        let met = lots.into_iter().zip(losses).map(|(lot, loss)| MetLot {
+            ln_height: wanted - curve.height_at(loss),
             inspected: lot.inspected,
-        })
+        });
+        Self {
+            lots: met.collect(),
+            error: (error / curve.slope()).hypot(curve.error),
+        }
     }
 }
 
@@ -507,12 +564,13 @@ impl Quantile {
     /// ln x = ⟨ln(s* u_n)⟩ − t_c S √(1 + 1/K)                                     `[Call-out-limit]`
     ///
     /// S is the standard deviation of ln(s* u_n) over the lots, t_c the quantile c of Student's distribution of K − 1
-    /// degrees of freedom: a further lot of the same process is below its s* u_n with the probability c.
-    fn of(lots: &[MetLot], parameter: usize, traces: usize, confidence: f64) -> Self {
+    /// degrees of freedom: a further lot of the same process is below its s* u_n with the probability c. The standard error of
+    /// ln x is S √((1 + t_c²/2)/K), with the error that all s* have in common added as a square.
+    fn of(met: &MetLots, parameter: usize, traces: usize, confidence: f64) -> Self {
         cite!("Call-out-limit");
         let of =
             |lot: &MetLot| lot.ln_height + mean_of_first(&lot.inspected, traces)[parameter].ln();
-        let values: Vec<f64> = lots.iter().map(of).collect();
+        let values: Vec<f64> = met.lots.iter().map(of).collect();
         let [mean, deviation] = moments(&values);
         let count = values.len() as f64;
         let t = student_t_quantile(2.0 * confidence - 1.0, count - 1.0);
@@ -520,7 +578,7 @@ impl Quantile {
         Self {
             limit: (mean + below).exp(),
             deviation,
-            error: deviation * ((1.0 + 0.5 * t * t) / count).sqrt(),
+            error: (deviation * ((1.0 + 0.5 * t * t) / count).sqrt()).hypot(met.error),
             below,
         }
     }
@@ -541,8 +599,8 @@ struct Evaluated {
 }
 
 impl Evaluated {
-    fn of(lots: &[MetLot], parameter: usize, settings: &CallOutSettings) -> Self {
-        let within = lots.iter().map(|lot| {
+    fn of(met: &MetLots, parameter: usize, settings: &CallOutSettings) -> Self {
+        let within = met.lots.iter().map(|lot| {
             let of: Vec<f64> = lot
                 .inspected
                 .iter()
@@ -551,14 +609,14 @@ impl Evaluated {
             let [mean, deviation] = moments(&of);
             (deviation / mean).powi(2)
         });
-        let of_traces = (within.sum::<f64>() / lots.len() as f64).sqrt();
-        let all = Quantile::of(lots, parameter, MOST_TRACES, settings.confidence.value());
+        let of_traces = (within.sum::<f64>() / met.lots.len() as f64).sqrt();
+        let all = Quantile::of(met, parameter, MOST_TRACES, settings.confidence.value());
         let needed = traces_needed(&all, of_traces);
         let traces = settings.traces.unwrap_or(needed);
         Self {
             traces,
             of_traces,
-            quantile: Quantile::of(lots, parameter, traces, settings.confidence.value()),
+            quantile: Quantile::of(met, parameter, traces, settings.confidence.value()),
         }
     }
 }
@@ -615,7 +673,7 @@ mod tests {
     }
 
     /// Lots with ln s* and ln u normal, of standard deviations 0.05 and, over one trace, 0.16.
-    fn lots(count: u64) -> Vec<MetLot> {
+    fn lots(count: u64) -> MetLots {
         let normal =
             |random: &mut _| asperity_core::numerics::standard_normal_quantile(uniform(random));
         let lot = |number| {
@@ -627,7 +685,10 @@ mod tests {
                 inspected: (0..MOST_TRACES).map(trace).collect(),
             }
         };
-        (0..count).map(lot).collect()
+        MetLots {
+            lots: (0..count).map(lot).collect(),
+            error: 0.0,
+        }
     }
 
     fn for_loss(loss: &str) -> CallOutSettings {
@@ -636,7 +697,8 @@ mod tests {
 
     #[test]
     fn a_loss_by_a_change_is_that_of_flanks_like_these_less_the_change() {
-        let of = |loss: &str| Curve::of(shared(), for_loss(loss).loss, &|| {}).unwrap();
+        let lots = shared().batch(0..TOGETHER, 0).unwrap();
+        let of = |loss: &str| Curve::of(shared(), &lots, for_loss(loss).loss, &|_| {}).unwrap();
         let share = of("10 % less");
         let present = share.loss_at(0.0);
         assert!((share.target / present - 0.9).abs() < 1e-12);
@@ -703,10 +765,10 @@ mod tests {
         // The recipe has slightly other values with other profiles.
         let limit = found.limits[0].limit / process.values()[0][chosen];
         let meets = |number: usize| {
-            let lot = process.lot(number, found.traces).unwrap();
+            let batch = process.batch(number..number + 1, found.traces).unwrap();
             let place = 2.0 * uniform(&mut stream(u64::MAX, number as u64, false)) - 1.0;
-            let mean = mean_of_first(&lot.inspected, found.traces)[chosen];
-            let loss = process.loss(&lot, limit * (1.0 + NEAR * place) / mean);
+            let mean = mean_of_first(&batch.lots[0].inspected, found.traces)[chosen];
+            let loss = process.loss_of_lot(number, limit * (1.0 + NEAR * place) / mean);
             usize::from(loss.unwrap() <= found.loss_w)
         };
         let met: usize = par_map(0..count, meets).into_iter().sum();

@@ -91,17 +91,22 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     checkpoint()?;
     let traces = traces(&mesh)?;
     let mut rows = costliest(&traces, &before);
+    let falls = falls(&traces, &rows).map_err(Box::new)?;
+    let along_before = before.along(&falls)?;
     let pressed = |part: f64| {
         let flanks = before
             .case
             .surfaces
             .with_traces(pressed(&traces, &rows, part));
-        gradient(&before.case.with_surfaces(flanks))
+        let found = gradient(&before.case.with_surfaces(flanks))?;
+        let along = found.along(&falls)?;
+        Ok::<_, Error>((found, along))
     };
-    let half = pressed(0.5)?;
+    // Only one gradient beside the first is held at a time.
+    let (_, along_half) = pressed(0.5)?;
     progress(2, STEPS);
     checkpoint()?;
-    let after = pressed(1.0)?;
+    let (after, along_after) = pressed(1.0)?;
     progress(3, STEPS);
     checkpoint()?;
     let cases = [&before, &after].map(|found| (&found.case, &found.contacts));
@@ -111,12 +116,7 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     };
     progress(4, STEPS);
     checkpoint()?;
-    let falls = falls(&traces, &rows).map_err(Box::new)?;
-    let along = [
-        before.along(&falls)?,
-        half.along(&falls)?,
-        after.along(&falls)?,
-    ];
+    let along = [along_before, along_half, along_after];
     let by_lay = match draws.as_ref().and_then(ChangeDraws::ends_of_lay) {
         Some(ends) => by_lay((&before, &along[0]), ends, (&traces, &rows))?,
         None => vec![[1.0; 2]; rows.len()],
