@@ -337,7 +337,7 @@ fn values(trace: &Profile, section: Length) -> Result<(Values, f64), Fault> {
 }
 
 fn parameters(trace: &Profile, section: Length) -> Result<Parameters, Fault> {
-    Parameters::of(trace, Mode::Iso4287, section).map_err(of_recipe)
+    Parameters::from_profile(trace, Mode::Iso4287, section).map_err(of_recipe)
 }
 
 /// Distinct traces of a flank.
