@@ -113,7 +113,7 @@ fn patch(criterion: &mut Criterion) {
         pressure_limit: Some(Pressure::from_si(8e9)),
         ..ContactProblem::new(&gap, spacing, CYLINDER.modulus, CYLINDER.load * 0.4)
     };
-    let mut solver = Solver::of(&problem).unwrap();
+    let mut solver = Solver::from_problem(&problem).unwrap();
     let next = solver.solve(&problem, &settings).unwrap();
     let mut group = criterion.benchmark_group("patch");
     group.sample_size(10);

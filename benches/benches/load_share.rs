@@ -81,7 +81,7 @@ fn benches(criterion: &mut Criterion) {
     let settings = LoadShareSettings::default();
     let bulk = Temperature::from_si(363.15);
     let film = || PositionFilm::new(&rheology, &contact, black_box(bulk), &settings);
-    let pair = PairSpectrum::of(spectra.each_ref());
+    let pair = PairSpectrum::from_traces(spectra.each_ref());
     let attenuate = || {
         let flattening = film().expect("a film").flattening(&pair);
         AttenuatedTraces::new(spectra.each_ref(), &flattening.expect("an inlet"))

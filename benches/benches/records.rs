@@ -35,7 +35,7 @@ fn records(criterion: &mut Criterion) {
         let loaded = loaded.at_stated().expect("a condition");
         let settings = condition.settings(&settings);
         let contact =
-            ReferenceContact::of(&loaded, condition.position, &settings).expect("a contact");
+            ReferenceContact::new(&loaded, condition.position, &settings).expect("a contact");
         group.bench_function(&condition.name, |bencher| {
             bencher.iter(|| transient::record(&contact.rough, &contact.record).expect("a record"));
         });

@@ -37,7 +37,7 @@ fn info(c: &mut Criterion) {
             let prepared =
                 prepare(black_box(&flank), &Preparation::default()).expect("long enough");
             let rough = &prepared.profile;
-            let found = Parameters::of(rough, Mode::Iso4287, Length::from_si(0.8e-3));
+            let found = Parameters::from_profile(rough, Mode::Iso4287, Length::from_si(0.8e-3));
             let found = found.expect("long enough");
             found.in_mode(rough, Mode::Iso21920)
         });
@@ -51,7 +51,7 @@ fn parameters(c: &mut Criterion) {
     group.sample_size(20);
     for mode in [Mode::Iso4287, Mode::Iso21920] {
         group.bench_function(mode.to_string(), |b| {
-            b.iter(|| Parameters::of(black_box(&prepared.profile), mode, Length::from_si(0.8e-3)));
+            b.iter(|| Parameters::from_profile(black_box(&prepared.profile), mode, Length::from_si(0.8e-3)));
         });
     }
     group.finish();

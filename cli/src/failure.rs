@@ -80,7 +80,7 @@ impl Failure {
     }
 
     /// Makes an error from an error of the library, with keys of the case file.
-    pub fn of(error: &Error) -> Self {
+    pub fn from_error(error: &Error) -> Self {
         Self::saying(error, &error.to_string())
     }
 

@@ -193,7 +193,7 @@ impl Progress {
         clippy::disallowed_methods,
         reason = "a clock, which evaluates no equation"
     )]
-    pub fn of(quiet: bool, work: &'static str) -> Self {
+    pub fn new(quiet: bool, work: &'static str) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let (end, ended) = channel();
         if !quiet && std::io::stderr().is_terminal() {
@@ -255,7 +255,7 @@ mod tests {
 
     #[test]
     fn a_bar_has_no_length_before_something_is_counted() {
-        let progress = Progress::of(false, "reading");
+        let progress = Progress::new(false, "reading");
         assert_eq!(progress.bar.length(), None);
         progress.at(0, 12);
         assert_eq!(

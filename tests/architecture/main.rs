@@ -9,6 +9,7 @@ mod long_functions;
 mod message_numbers;
 mod one_way_to_run;
 mod read_only;
+mod shapes;
 mod tables_once;
 mod walk;
 mod words;

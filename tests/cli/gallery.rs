@@ -40,7 +40,7 @@ fn pages_of_the_demo_print_what_they_show_and_their_pictures_are_drawn() {
     hold_picture("figures/mesh.svg", &animated(&report));
     for (name, figure) in [("band", "band"), ("local_loss", "local-loss")] {
         let file = format!("figures/{name}.svg");
-        hold_picture(&file, &Figure::of(&report, figure).alone());
+        hold_picture(&file, &Figure::new(&report, figure).alone());
     }
 
     let files = fs::read_dir(root().join("docs/gallery")).unwrap();
@@ -56,7 +56,7 @@ fn pages_of_the_demo_print_what_they_show_and_their_pictures_are_drawn() {
     for (name, page, figure) in PICTURES {
         let page = read(page);
         let file = format!("gallery/{name}.svg");
-        hold_picture(&file, &Figure::of(&page, figure).alone());
+        hold_picture(&file, &Figure::new(&page, figure).alone());
         assert!(document.contains(&format!("]({file})")), "{file}");
     }
     // The sweep has the loss of the run for the oil of the case.

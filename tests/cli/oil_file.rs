@@ -547,7 +547,7 @@ fn the_interval_of_every_command_is_drawn_from_the_oil_file() {
     // A calibration on a rig begins at the fitted constants, with their band as its prior.
     let of = |name: &str| {
         let case = asperity::case::load(&bench.path(name), None).unwrap();
-        Parameter::of(&case).unwrap().pop().unwrap()
+        Parameter::all(&case).unwrap().pop().unwrap()
     };
     let (family, fitted) = (of("family.toml"), of("case.toml"));
     assert_eq!(

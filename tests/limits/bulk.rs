@@ -77,7 +77,7 @@ impl FilmFriction for Counting {
 
     fn traction(&self, _: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
         self.0.fetch_add(1, Ordering::Relaxed);
-        Ok(Checked::inside(FilmTraction::of(0.03)))
+        Ok(Checked::inside(FilmTraction::from_coefficient(0.03)))
     }
 }
 

@@ -34,7 +34,7 @@ struct Spectrum {
 }
 
 impl Spectrum {
-    fn of(heights: &[f64]) -> Self {
+    fn new(heights: &[f64]) -> Self {
         let points = heights.len() & !1;
         let mean = heights[..points].iter().sum::<f64>() / points as f64;
         let mut input: Vec<f64> = heights[..points].iter().map(|z| z - mean).collect();
@@ -102,7 +102,7 @@ impl Flanks {
                 panic!("the example is measured")
             };
             spacing = profile.spacing().si();
-            Spectrum::of(profile.heights())
+            Spectrum::new(profile.heights())
         });
         let reach = (WINDOW * HALF_WIDTH / spacing).ceil() as i64;
         let pressure = (-reach..=reach).map(|i| {

@@ -110,7 +110,7 @@ fn studies_over_cases() {
                 .to_vec(),
             boundary_friction: 0.09,
         };
-        TractionCurves::of(&OilBase::of_library("m100").unwrap(), &range)
+        TractionCurves::new(&OilBase::of_library("m100").unwrap(), &range)
             .unwrap()
             .over_slide
     });

@@ -273,7 +273,7 @@ pub fn study(text: &str) -> bool {
         &input.to_string(),
         place.path(),
     );
-    match study.and_then(Cases::of) {
+    match study.and_then(Cases::new) {
         Ok(cases) => {
             assert!(cases.count() > 0 && !cases.header().is_empty());
             true

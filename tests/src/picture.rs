@@ -140,7 +140,7 @@ impl<'a> Figure<'a> {
     ///
     /// # Panics
     /// If the page has no such figure with a drawing.
-    pub fn of(page: &'a str, id: &str) -> Self {
+    pub fn new(page: &'a str, id: &str) -> Self {
         let begin = format!(" id=\"{id}\"><figcaption>");
         let figure = between(page, &begin, "</figure>").unwrap_or_else(|| panic!("{id}"));
         let title = figure.split('<').next().unwrap_or_default();
@@ -292,7 +292,7 @@ pub fn animated(page: &str) -> String {
     const APART: f64 = 8.0;
     /// Height of the visible part of the gears.
     const CROPPED: f64 = 300.0;
-    let [mesh, facing] = ["mesh", "facing"].map(|id| Figure::of(page, id));
+    let [mesh, facing] = ["mesh", "facing"].map(|id| Figure::new(page, id));
     let number = |value: &Value| value.as_f64().unwrap();
     // Equal values are counted: `[value, number]`.
     let list = |value: &Value| -> Vec<f64> {

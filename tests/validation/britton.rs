@@ -56,7 +56,7 @@ fn windows() -> &'static [Windows; 2] {
         let ground = ground.with_heights_times(0.4 / 0.24).unwrap();
         let fine = shipped("e-drive-superfinished").surfaces.clone();
         [ground, fine].map(|surfaces| {
-            Windows::of(surfaces.textures().clone().map(|texture| match texture {
+            Windows::new(surfaces.textures().clone().map(|texture| match texture {
                 Texture::Trace(profile) => profile,
                 _ => panic!("a fixture has traces"),
             }))
@@ -75,7 +75,7 @@ fn line_contact() -> LineContact {
 }
 
 impl Windows {
-    fn of(flanks: [Profile; 2]) -> Self {
+    fn new(flanks: [Profile; 2]) -> Self {
         let contact = line_contact();
         let spacing = flanks[0].spacing();
         let half_width =
@@ -149,7 +149,7 @@ fn friction(celsius: f64, windows: &Windows) -> (Estimate, f64) {
     let bulk = Temperature::from_si(celsius + 273.15);
     let mut film = PositionFilm::new(&oil, &contact, bulk, &settings).unwrap();
     let spectra = flanks.map(|z| TraceSpectrum::new(z.heights(), z.spacing()).unwrap());
-    let attenuation = film.flattening(&PairSpectrum::of(spectra.each_ref()));
+    let attenuation = film.flattening(&PairSpectrum::from_traces(spectra.each_ref()));
     let attenuated = AttenuatedTraces::new(spectra.each_ref(), &attenuation.unwrap());
     let coefficients = windows.contacts.iter().map(|(starts, table)| {
         let roughness = attenuated.window(*starts, windows.points).unwrap();

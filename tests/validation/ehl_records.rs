@@ -150,7 +150,7 @@ fn gear_meshes() -> &'static [Compared] {
         }
         assert!(records.is_empty());
         par_map(pairs, |(condition, record)| {
-            let windows = Windows::of(&condition, WINDOWS);
+            let windows = Windows::new(&condition, WINDOWS);
             Compared {
                 record,
                 fast: windows.fast(false),
@@ -175,7 +175,7 @@ pub struct Windows {
 }
 
 impl Windows {
-    pub fn of(condition: &mixed_ehl_records::Condition, count: usize) -> Self {
+    pub fn new(condition: &mixed_ehl_records::Condition, count: usize) -> Self {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let loaded = condition.load(&workspace).unwrap();
         // As the records: isothermal, ridges across the face.
@@ -192,7 +192,7 @@ impl Windows {
             shortest_wave: condition.shortest_wave,
             inlet: Inlet::Stated,
         };
-        let contact = ReferenceContact::of(&loaded, condition.position, &settings).unwrap();
+        let contact = ReferenceContact::new(&loaded, condition.position, &settings).unwrap();
         let windows = compared_windows(&loaded, &contact, count).unwrap();
         let spectrum = |z: &Profile| TraceSpectrum::new(z.heights(), z.spacing()).unwrap();
         let spectra = contact.traces.each_ref().map(spectrum);
@@ -207,7 +207,7 @@ impl Windows {
 
     /// Windows about points of both traces.
     pub fn about(condition: &mixed_ehl_records::Condition, middles: &[[usize; 2]]) -> Self {
-        let mut all = Self::of(condition, 1);
+        let mut all = Self::new(condition, 1);
         let half = points_of_window(&all.contact) / 2;
         let starts = middles.iter().map(|middles| middles.map(|at| at - half));
         let starts: Vec<[usize; 2]> = starts.collect();
@@ -224,7 +224,7 @@ impl Windows {
     /// `count` windows that a record of the condition passes, at even distances of its travel. A surface that repeats stands twice
     /// in a row, so that every window is a run of its points.
     pub fn passed(condition: &mixed_ehl_records::Condition, count: usize) -> Self {
-        let mut all = Self::of(condition, 1);
+        let mut all = Self::new(condition, 1);
         let contact = &mut all.contact;
         let [u1, u2] = [contact.position.motion.u1, contact.position.motion.u2];
         let mean = 0.5 * (u1 + u2).si();
@@ -305,7 +305,10 @@ impl Windows {
         let mut film =
             PositionFilm::new(&rheology, &line, self.loaded.temperature(), settings).unwrap();
         let spectra = self.spectra.each_ref();
-        let flattening = changed(film.flattening(&PairSpectrum::of(spectra)).unwrap());
+        let flattening = changed(
+            film.flattening(&PairSpectrum::from_traces(spectra))
+                .unwrap(),
+        );
         let whole = AttenuatedTraces::new(spectra, &flattening);
         let of_window = |window: &ComparedWindow| {
             let mut roughness = whole.window(window.starts, window.points).unwrap();
@@ -329,12 +332,12 @@ impl Windows {
     }
 
     fn fast(&self, of_each_window: bool) -> Fast {
-        Fast::of(&self.solutions(&self.settings(), of_each_window))
+        Fast::new(&self.solutions(&self.settings(), of_each_window))
     }
 }
 
 impl Fast {
-    fn of(solved: &[LoadShareSolution]) -> Self {
+    fn new(solved: &[LoadShareSolution]) -> Self {
         let n = solved.len() as f64;
         let mean = |of: fn(&LoadShareSolution) -> f64| solved.iter().map(of).sum::<f64>() / n;
         let share = mean(|solved| solved.asperity_share);
@@ -428,7 +431,7 @@ fn the_gap_law_inlet_follows_the_speed() {
         let name = format!("fzg_{speed}_0.15");
         let mut conditions = mixed_ehl_records::conditions();
         conditions.retain(|condition| condition.name == name);
-        let windows = Windows::of(&conditions[0], WINDOWS);
+        let windows = Windows::new(&conditions[0], WINDOWS);
         let settings = LoadShareSettings {
             film_law: FilmLaw::DowsonToyoda,
             supply: InletSupply::Grubin,
@@ -440,7 +443,7 @@ fn the_gap_law_inlet_follows_the_speed() {
         };
         let [pair, window] = [false, true].map(|each| {
             let solved = windows.solutions_by(&settings, each, of_all_heights);
-            Fast::of(&solved).gap_um / gap - 1.0
+            Fast::new(&solved).gap_um / gap - 1.0
         });
         assert!(
             window.abs() < 2e-3 && pair.abs() < 5e-3,

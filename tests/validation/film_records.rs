@@ -144,7 +144,7 @@ const COLUMNS: [&str; 8] = [
 ];
 
 impl Windowed {
-    fn of(windows: &Windows, settings: &LoadShareSettings) -> Self {
+    fn new(windows: &Windows, settings: &LoadShareSettings) -> Self {
         let solved = windows.solutions(settings, false);
         let n = solved.len() as f64;
         let mean = |of: fn(&LoadShareSolution) -> f64| solved.iter().map(of).sum::<f64>() / n;
@@ -801,11 +801,11 @@ fn largest_bends(windows: usize, steps: [u32; 2]) -> [f64; 2] {
     };
     let torques = spread([5.0, 300.0], steps[0]).map(|torque| [torque, 9000.0]);
     let speeds = spread([5.0, 30_000.0], steps[1]).map(|speed| [30.0, speed]);
-    let middles = Windows::of(&Condition::at_operation(300.0, 9000.0), windows).middles();
+    let middles = Windows::new(&Condition::at_operation(300.0, 9000.0), windows).middles();
     let bend = |operations: Vec<[f64; 2]>| {
         let friction = |[torque, speed]: [f64; 2]| {
             let windows = Windows::about(&Condition::at_operation(torque, speed), &middles);
-            Windowed::of(&windows, &windows.settings()).friction.ln()
+            Windowed::new(&windows, &windows.settings()).friction.ln()
         };
         let logs = par_map(operations, friction);
         let bends = logs
@@ -871,14 +871,14 @@ fn parts_of_friction_are_those_of_an_independent_program() {
     all.retain(|one| OF_ANOTHER_PROGRAM.iter().any(|(name, _)| *name == one.name));
     assert_eq!(all.len(), OF_ANOTHER_PROGRAM.len());
     par_map(all, |condition| {
-        let windows = Windows::of(&condition, WINDOWS);
-        let seen = Windowed::of(&windows, &windows.settings());
+        let windows = Windows::new(&condition, WINDOWS);
+        let seen = Windowed::new(&windows, &windows.settings());
         let by_formula = LoadShareSettings {
             film_law: FilmLaw::DowsonToyoda,
             supply: InletSupply::Grubin,
             ..windows.settings()
         };
-        let by_formula = Windowed::of(&windows, &by_formula);
+        let by_formula = Windowed::new(&windows, &by_formula);
         let found = [
             by_formula.friction,
             by_formula.asperity_share,
@@ -938,11 +938,11 @@ fn the_windows_of_every_record() {
         all.extend(conditions().into_iter().map(|one| (is_chosen_on, one)));
     }
     let parts = par_map(all, |(every_model, condition)| {
-        let windows = Windows::of(&condition, WINDOWS);
+        let windows = Windows::new(&condition, WINDOWS);
         let mut text = String::new();
         for model in MODELS.iter().filter(|model| every_model || model.for_all) {
             let settings = (model.make)(windows.settings());
-            text += &stored_row(&condition, model.name, &Windowed::of(&windows, &settings));
+            text += &stored_row(&condition, model.name, &Windowed::new(&windows, &settings));
         }
         // A new condition has none.
         let kept = stored().1.get(&condition.name);
@@ -956,7 +956,7 @@ fn the_windows_of_every_record() {
         text + &stored_row(
             &condition,
             PASSED,
-            &Windowed::of(&passed, &passed.settings()),
+            &Windowed::new(&passed, &passed.settings()),
         )
     });
     let text = format!(

@@ -365,7 +365,7 @@ fn null_pair() -> Estimate {
         ("operation.bulk_temperature", "40 °C"),
         ("operation.speed", &*turns(20.0)),
     ];
-    let friction = |name: &str| Sampled::of(&measured(name, &keys)).friction();
+    let friction = |name: &str| Sampled::new(&measured(name, &keys)).friction();
     friction("fzg-c-superfinished").change_to(friction("fzg-c-ground"))
 }
 
@@ -410,11 +410,11 @@ fn run_in_at(case: &LoadedCase, torque: f64) -> Surfaces {
 fn running_in_gates() -> Vec<Gate> {
     let gain = |name: &str| {
         let case = measured(name, &[]);
-        let offsets = Sampled::of(&case).losses.offsets.len().to_string();
+        let offsets = Sampled::new(&case).losses.offsets.len().to_string();
         // The same windows for both states.
         let case = case.with_key("model.offsets", &offsets).unwrap();
         let [low, high] =
-            LOW_AND_HIGH.map(|torque| Sampled::of(&case.with_surfaces(run_in_at(&case, torque))));
+            LOW_AND_HIGH.map(|torque| Sampled::new(&case.with_surfaces(run_in_at(&case, torque))));
         let gain = |low: &OffsetRow, high: &OffsetRow| 100.0 * (high.efficiency - low.efficiency);
         low.paired(&high.losses, &gain)
     };

@@ -41,7 +41,7 @@ pub struct Sampled {
 }
 
 impl Sampled {
-    pub fn of(case: &LoadedCase) -> Self {
+    pub fn new(case: &LoadedCase) -> Self {
         Self::with(case, asperity_tests::losses(case).unwrap())
     }
 

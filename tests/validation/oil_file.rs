@@ -48,7 +48,7 @@ fn oil_file(case: &LoadedCase, is_scattered: bool) -> String {
         errors,
         is_forced: false,
     };
-    let fit = OilFit::of(&oil, readings.into(), settings).unwrap();
+    let fit = OilFit::new(&oil, readings.into(), settings).unwrap();
     fit.oil_file().unwrap().to_string()
 }
 
@@ -170,7 +170,7 @@ fn simulated_oil_files(case: &LoadedCase) -> Vec<String> {
         errors,
         ..
     } = settings;
-    let plan = OilPlan::of(&oil, None, &settings).unwrap();
+    let plan = OilPlan::new(&oil, None, &settings).unwrap();
     let mut table =
         String::from("load_n,mean_speed_m_s,slide_roll_percent,temperature_c,traction\n");
     for point in &plan.points {
@@ -215,7 +215,7 @@ fn simulated_oil_files(case: &LoadedCase) -> Vec<String> {
             errors,
             is_forced: true,
         };
-        let fit = OilFit::of(&oil, readings.into(), settings).unwrap();
+        let fit = OilFit::new(&oil, readings.into(), settings).unwrap();
         fit.oil_file().unwrap().to_string()
     };
     (1..=SIMULATED[0]).map(of_seed).collect()
@@ -244,8 +244,8 @@ struct Expected<'a> {
 }
 
 impl<'a> Expected<'a> {
-    fn of(name: &'a str, tables: &Contacts, case: &LoadedCase) -> Self {
-        let table = EvidenceTable::of(&case.clone().into(), &Effort::usual(), &|_, _| {});
+    fn new(name: &'a str, tables: &Contacts, case: &LoadedCase) -> Self {
+        let table = EvidenceTable::new(&case.clone().into(), &Effort::usual(), &|_, _| {});
         Self {
             name,
             table: table.unwrap(),
@@ -276,7 +276,7 @@ fn expected_intervals_are_those_of_simulated_measurements() {
     ] {
         let case = with(name, &few);
         let tables = contacts(&case).unwrap();
-        let expected = Expected::of(name, &tables, &case);
+        let expected = Expected::new(name, &tables, &case);
         let by_curves = mean_spreads(
             &tables,
             files[..count].iter().map(|file| naming(&case, file)),
@@ -313,7 +313,7 @@ fn expected_intervals_are_those_of_simulated_measurements() {
                 deviating(&probed.unwrap(), "1 K")
             });
             let by_probe = mean_spreads(&tables, by_probe);
-            let unsure = Expected::of(name, &tables, &deviating(&case, "10 K"));
+            let unsure = Expected::new(name, &tables, &deviating(&case, "10 K"));
             unsure.hold("thermocouple", by_probe);
         }
     }

@@ -122,7 +122,7 @@ pub fn films() -> Table {
             .unwrap()
             .at_stated()
             .unwrap();
-        let stations = Mesh::of(&case).unwrap().positions;
+        let stations = Mesh::new(&case).unwrap().positions;
         let last = stations.len() - 1;
         for k in [0, last / 2, last] {
             all.extend(rows(name, &case, &stations[k]));
@@ -287,7 +287,7 @@ fn a_film_at_light_load_shears_as_the_steady_solution() {
                 solved += 0.5 * (film.x[k] - film.x[k - 1]) * (steep * p).exp() * central / h;
             }
         }
-        let light = LightLoad::of(&MoesNumbers {
+        let light = LightLoad::new(&MoesNumbers {
             load: film.scales.moes_load,
             material: film.scales.moes_lubricant,
         });

@@ -211,7 +211,7 @@ mod tests {
     use super::*;
 
     fn described<S: StudySettings>() -> Described {
-        Described::of::<S>()
+        Described::new::<S>()
     }
 
     #[test]

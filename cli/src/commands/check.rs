@@ -19,13 +19,13 @@ const MOST_ERRORS: usize = 50;
 
 /// `asperity check`
 pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
-    let reading = Progress::of(common.quiet, READING);
+    let reading = Progress::new(common.quiet, READING);
     let (source, folder) = source(&args.case)?;
     let name = source.name().to_owned();
     let findings = case::check(source, folder, &keys(&args.set));
     let (errors, valid) = (findings.errors, findings.case.map(valid_case));
     let shown = errors.iter().take(MOST_ERRORS);
-    let mut failures: Vec<Failure> = shown.map(Failure::of).collect();
+    let mut failures: Vec<Failure> = shown.map(Failure::from_error).collect();
     let not_shown = errors.len() - failures.len();
     // Errors that a run would report after reading the case.
     let valid = match valid.transpose() {

@@ -26,12 +26,12 @@ fn table_2(set: &SetArgs) -> Result<LoadedCase, Failure> {
         .map_err(|error| Fault::internal(error).about("the case cannot be made"))?;
     let flank = &flank.content;
     let mut loaded = case::from_text(case.name, &case.content, &|_| Ok(flank.clone().into()))
-        .map_err(|error| Failure::of(&error))?;
+        .map_err(|error| Failure::from_error(&error))?;
     for (key, value) in keys(set) {
         let changed = loaded.with_key(&key, &value);
-        loaded = changed.map_err(|error| Failure::of(&error))?;
+        loaded = changed.map_err(|error| Failure::from_error(&error))?;
     }
     loaded
         .with(|input| input.formulation = Some(register()))
-        .map_err(|error| Failure::of(&error))
+        .map_err(|error| Failure::from_error(&error))
 }

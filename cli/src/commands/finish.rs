@@ -50,7 +50,7 @@ pub fn finishes(
     }
     let load = |name: &str| {
         let of_name = stated.iter().filter(|finish| finish.name == name);
-        let traces = of_name.map(|finish| Ok((finish.mesh.as_deref(), Traces::of(finish)?)));
+        let traces = of_name.map(|finish| Ok((finish.mesh.as_deref(), Traces::from_args(finish)?)));
         let traces = traces.collect::<Result<Vec<_>, Failure>>()?;
         let of_all = |input: &mut CaseInput| {
             for (_, traces) in traces.iter().filter(|(mesh, _)| mesh.is_none()) {
@@ -94,7 +94,7 @@ pub fn finishes(
                 traces.put_into(input);
             }
         });
-        changed.map_err(|error| Failure::of(&error))
+        changed.map_err(|error| Failure::from_error(&error))
     };
     let finish = |name: &&str| {
         let case = load(name).map_err(|error| error.adding(&format!(" (--finish {name})")))?;
@@ -160,7 +160,7 @@ pub struct Traces {
 
 impl Traces {
     /// The traces that `finish` names.
-    pub fn of(finish: &FinishArg) -> Result<Self, Failure> {
+    pub fn from_args(finish: &FinishArg) -> Result<Self, Failure> {
         let name = &finish.name;
         let whole = |file: &PathBuf| {
             // Reported here, because the case does not name this file.

@@ -22,7 +22,7 @@ const LARGEST: u64 = 100_000_000;
 pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
     let path = &args.file;
     let bytes = whole_file(path, LARGEST)
-        .map_err(|error| Fault::of(Code::E103, error).about(path.display()))?;
+        .map_err(|error| Fault::from_cause(Code::E103, error).about(path.display()))?;
     let wrong = |error: Fault| error.about(path.display());
     let model = Model::read(&bytes).map_err(wrong)?;
     if args.stage.is_none() && args.output.is_none() && !args.all {

@@ -187,7 +187,7 @@ impl Given for CycleOnMap {
         let mut map = map::read(&args.map).map_err(|error| error.helping(advice))?;
         for (key, value) in keys(set) {
             let set = map.input.set(&key, &value);
-            set.map_err(|error| Failure::of(&error))?;
+            set.map_err(|error| Failure::from_error(&error))?;
         }
         let [of_map, name] = [&args.map, &args.trace].map(|path| {
             let stem = path.file_stem().unwrap_or_default();

@@ -44,7 +44,7 @@ fn source(path: &Path) -> Result<(Source, &Path), Failure> {
     /// Largest size of a case in bytes.
     const LONGEST: u64 = 10_000_000;
     if path != Path::new("-") {
-        let source = case::open_source(path).map_err(|error| Failure::of(&error))?;
+        let source = case::open_source(path).map_err(|error| Failure::from_error(&error))?;
         return Ok((source, path.parent().unwrap_or(Path::new("."))));
     }
     let mut bytes = Vec::new();
@@ -56,7 +56,7 @@ fn source(path: &Path) -> Result<(Source, &Path), Failure> {
     let is_json = bytes.trim_ascii_start().starts_with(b"{");
     let name = if is_json { "stdin.json" } else { "stdin" };
     let source = Source::from_bytes(name, &bytes)
-        .map_err(|error| Failure::of(&asperity::Error::from(error)))?;
+        .map_err(|error| Failure::from_error(&asperity::Error::from(error)))?;
     Ok((source, Path::new(".")))
 }
 
@@ -80,7 +80,7 @@ fn load_text(
         None => train,
         Some(mesh) => train.and_then(|train| train.of_mesh(mesh)),
     };
-    loaded.map_err(|error| Failure::of(&error))
+    loaded.map_err(|error| Failure::from_error(&error))
 }
 
 /// Reads a case with its traces.
@@ -110,7 +110,7 @@ fn load_case(
 /// The only mesh of a case.
 fn one_mesh(train: &Train) -> Result<&LoadedCase, Failure> {
     train.only_mesh().map_err(|error| {
-        Failure::of(&error).advising("Name it with --mesh; run, check, gear, map, compare, sweep, sensitivity and evidence take all meshes.")
+        Failure::from_error(&error).advising("Name it with --mesh; run, check, gear, map, compare, sweep, sensitivity and evidence take all meshes.")
     })
 }
 

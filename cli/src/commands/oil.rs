@@ -26,7 +26,7 @@ fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Fa
     let is_file = path.extension().is_some() || path.exists();
     if is_file {
         let name = result_name(path);
-        let source = open_source(path).map_err(|error| Failure::of(&error))?;
+        let source = open_source(path).map_err(|error| Failure::from_error(&error))?;
         if let Some(oil) = OilBase::of_source(&name.to_string_lossy(), &source, constants)? {
             return Ok(NamedOil {
                 oil,

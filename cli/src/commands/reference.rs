@@ -124,7 +124,7 @@ fn as_json(entry: &Explanation) -> Value {
 
 /// `asperity schema --markdown`
 pub fn keys(common: &Common) -> Result<(), Failure> {
-    let page = asperity::case::markdown().map_err(|error| Failure::of(&error))?;
+    let page = asperity::case::markdown().map_err(|error| Failure::from_error(&error))?;
     print_text(common, &page)
 }
 
@@ -137,5 +137,5 @@ pub fn schema(of_settings: bool) -> Result<(), Failure> {
 }
 
 fn described<S: StudySettings>() -> Described {
-    Described::of::<S>()
+    Described::new::<S>()
 }

@@ -32,11 +32,11 @@ fn runs(args: &RunArgs) -> usize {
 /// `asperity run`
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let fields = fields(args)?;
-    let progress = Progress::of(common.quiet, READING);
+    let progress = Progress::new(common.quiet, READING);
     let train = load_train(&args.case, &args.set, args.formulation)?;
     let kept = fields.kept();
     check_work(&args.work, train.cases(), &kept, runs(args))?;
-    let target = Target::of(args, &train.title)?;
+    let target = Target::from_args(args, &train.title)?;
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
@@ -154,7 +154,7 @@ struct Target {
 impl Target {
     /// The folder of `args` for a case with `title`, checked before the run; `None` without output. A folder that the user
     /// did not name is refused if it holds the result of a case with another title.
-    fn of(args: &RunArgs, title: &str) -> Result<Option<Self>, Failure> {
+    fn from_args(args: &RunArgs, title: &str) -> Result<Option<Self>, Failure> {
         if args.no_output {
             return Ok(None);
         }

@@ -37,7 +37,7 @@ fn run<S: StudySettings<Input: Given> + Args>(
     args: &StudyArgs<S>,
     common: &Common,
 ) -> Result<(), Failure> {
-    let progress = Progress::of(common.quiet, READING);
+    let progress = Progress::new(common.quiet, READING);
     let given = S::Input::read(&args.given, &args.set)?;
     let title = S::title(&given.input);
     let target = || {

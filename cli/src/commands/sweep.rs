@@ -49,7 +49,9 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
             .advising("docs/files/sweeps.md lists the keys of a study."),
         SweepError::Column { .. } => Failure::new(error.code(), format!("{study}: {error}"))
             .advising("docs/files/sweeps.md says which columns a study can have."),
-        SweepError::Case(error) => Failure::of(error).adding(&format!(" (case of {study})")),
+        SweepError::Case(error) => {
+            Failure::from_error(error).adding(&format!(" (case of {study})"))
+        }
         SweepError::Missing { .. } | SweepError::Changed { .. } => {
             Failure::new(error.code(), format!("{study}: {error}"))
         }
@@ -63,7 +65,7 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
 
 fn plan(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
-    let progress = Progress::of(common.quiet, CHECKING);
+    let progress = Progress::new(common.quiet, CHECKING);
     let plan = sweep::plan(&study, &|done, total| progress.at(done, total));
     drop(progress);
     let plan = plan.map_err(|error| refused(&args.sweep, &error))?;
@@ -107,7 +109,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     })?;
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let progress = Progress::of(common.quiet, CHECKING);
+    let progress = Progress::new(common.quiet, CHECKING);
     let watch = |event: Event<'_>| match event {
         Event::Checking { cases, of } => progress.at(cases, of),
         Event::Checked {

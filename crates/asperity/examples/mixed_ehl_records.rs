@@ -373,7 +373,7 @@ impl Condition {
         record: &RecordSettings,
     ) -> Outcome<ReferenceContact> {
         let settings = self.settings(record);
-        Ok(ReferenceContact::of(
+        Ok(ReferenceContact::new(
             &loaded.at_stated()?,
             self.position,
             &settings,

@@ -89,7 +89,7 @@ impl Evidence {
     ///
     /// # Errors
     /// When the work is cancelled.
-    pub fn of(
+    pub fn from_outcome(
         outcome: &Outcome,
         efforts: &[Effort],
         plan: &CurvePlan<'_>,
@@ -120,7 +120,7 @@ impl Evidence {
         let drawn: Vec<MeshDraws<'_>> = with_counts
             .map(|((predictive, count), flanks)| (predictive, count, flanks))
             .collect();
-        let expected = Expected::of(&drawn);
+        let expected = Expected::new(&drawn);
         let row = |effort: &Effort| {
             let is_known = |known: &&Known| known.0 == effort.key;
             let of_mesh = |known: &Vec<Known>| Some(known.iter().find(is_known)?.2);

@@ -60,7 +60,12 @@ pub(crate) fn parts_of_mesh(case: &Case) -> Result<Vec<GearboxPart>, PositionErr
     let Some(gearbox) = &case.gearbox else {
         return Ok(Vec::new());
     };
-    Gears::of_mesh(case).parts(gearbox, MeshLoad::of(case), case.stated_temperature, &[])
+    Gears::of_mesh(case).parts(
+        gearbox,
+        MeshLoad::from_case(case),
+        case.stated_temperature,
+        &[],
+    )
 }
 
 /// The gearbox of a train with its meshes, and the flow of its powers.

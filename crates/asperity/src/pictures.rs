@@ -47,7 +47,7 @@ impl Picture {
     ///
     /// # Errors
     /// When the contact has no solution.
-    pub(crate) fn of(
+    pub(crate) fn new(
         lubrication: &Lubrication<'_>,
         position: &LubricatedPosition,
         contacts: &[Arc<WindowContact>],

@@ -95,7 +95,7 @@ impl<'a> Run<'a> {
     pub fn execute(self) -> Result<Outcome, Error> {
         let mut outcome = train::run(&self.train, &self.options)?;
         if let Some(plan) = self.plan
-            && let Some(evidence) = Evidence::of(&outcome, &Effort::usual(), plan)?
+            && let Some(evidence) = Evidence::from_outcome(&outcome, &Effort::usual(), plan)?
         {
             outcome.put_evidence(evidence.rows);
         }

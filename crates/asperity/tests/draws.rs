@@ -147,7 +147,7 @@ fn quantiles_depend_little_on_the_seed() {
             draw.constants[kind] = standard_normal_quantile(0.005 + 0.99 * place[0]);
             law.loss(&draw)
         });
-        Quantiles::of(&losses.collect::<Vec<_>>())
+        Quantiles::from_draws(&losses.collect::<Vec<_>>())
     };
     // The draws of a run are among them.
     let mut seeds: Vec<Quantiles> = (0..12).map(of_seed).collect();
@@ -294,7 +294,7 @@ fn losses_narrow_what_all_flanks_share() {
         sliding: QuadraticSurface::fit(&points, &values),
         ..plain()
     };
-    let after = |measurement| Expected::of(&[(&found, 1, 0)]).after(&[Some(measurement)]);
+    let after = |measurement| Expected::new(&[(&found, 1, 0)]).after(&[Some(measurement)]);
     let losses = Measurement::Losses { deviation: 0.04 };
     let left = after(losses).unwrap();
     // Normal distributions: 1/(1/0.3² + 1/(0.04² + e²)), and the error of the model of the own flanks.
@@ -320,7 +320,7 @@ fn losses_narrow_what_all_flanks_share() {
     assert_eq!(after(Measurement::Lay), None);
     // Two such meshes: the constant is common, the errors of the model are independent unless the flanks are equal.
     let two = |flanks: usize, known: [Option<Measurement>; 2]| {
-        Expected::of(&[(&found, 1, 0), (&found, 3, flanks)])
+        Expected::new(&[(&found, 1, 0), (&found, 3, flanks)])
             .after(&known)
             .unwrap()
             .sd_ln

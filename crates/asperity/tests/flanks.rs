@@ -187,7 +187,7 @@ fn surface(height: &dyn Fn(usize, usize) -> f64) -> PreparedSurface {
 fn rows_of_a_sheet_are_independent_beyond_their_waves() {
     let rows = |every: usize| {
         let rough = |seed: usize| surface(&|x, y| random(x + SIZE[0] * (y / every) + seed));
-        let sheets = Sheets::of([rough(0), rough(1 << 20)], Length::from_si(1e-6)).unwrap();
+        let sheets = Sheets::new([rough(0), rough(1 << 20)], Length::from_si(1e-6)).unwrap();
         let of = sheets.independent_rows(Length::from_si(20e-6)).unwrap();
         of / sheets.rows() as f64
     };
@@ -205,7 +205,7 @@ fn sheets_repeat_along_the_lead_and_keep_their_variance() {
     let [columns, rows] = SIZE;
     let rough = surface(&|x, y| random(x + columns * y));
     let ridges = surface(&|x, _| random(x));
-    let sheets = Sheets::of([rough, ridges], Length::from_si(1e-6)).unwrap();
+    let sheets = Sheets::new([rough, ridges], Length::from_si(1e-6)).unwrap();
     assert_eq!(sheets.spacings(), [1e-6, 2e-6].map(Length::from_si));
     assert_eq!(sheets.rows(), rows - rows / 8);
     let [(rough, _), (ridges, _)] = [0, 1].map(|body| sheets.of_body(body));
@@ -241,7 +241,7 @@ fn sheets_repeat_along_the_lead_and_keep_their_variance() {
     let finer = finer.patch(&sheets, Length::from_si(0.25e-6), 0.0);
     assert_eq!((finer.starts, finer.points), ([2, 10], 11));
     // At the spacing of a coarser patch both surfaces have fewer points and rows.
-    let coarse = Sheets::of(
+    let coarse = Sheets::new(
         [
             surface(&|x, y| 1e-7 * ((x as f64) / 9.0).sin() * ((y as f64) / 4.0).cos()),
             surface(&|x, _| 1e-7 * ((x as f64) / 9.0).sin()),
@@ -251,7 +251,7 @@ fn sheets_repeat_along_the_lead_and_keep_their_variance() {
     let coarse = coarse.unwrap();
     assert_eq!(coarse.of_body(0).1, 200);
     assert_eq!(coarse.rows(), 60 - 60 / 8);
-    let few = Sheets::of(
+    let few = Sheets::new(
         [surface(&|_, _| 0.0), surface(&|_, _| 0.0)],
         Length::from_si(20e-6),
     );

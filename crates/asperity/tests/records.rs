@@ -167,7 +167,7 @@ fn a_record_at_light_load_begins_where_its_inlet_is_flooded() {
             shortest_wave: None,
             inlet,
         };
-        ReferenceContact::of(&loaded.at_stated().unwrap(), 0.9, &settings)
+        ReferenceContact::new(&loaded.at_stated().unwrap(), 0.9, &settings)
             .unwrap()
             .record
     };

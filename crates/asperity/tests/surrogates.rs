@@ -42,7 +42,7 @@ fn by_values(values: &str, keys: &[(&str, &str)]) -> LoadedCase {
 fn parameters(case: &LoadedCase) -> Vec<[Parameters; 2]> {
     let cutoff = case.case.preparation.lambda_c.unwrap();
     let of = |texture: &Texture| match texture {
-        Texture::Trace(trace) => Parameters::of(trace, Mode::Iso4287, cutoff).unwrap(),
+        Texture::Trace(trace) => Parameters::from_profile(trace, Mode::Iso4287, cutoff).unwrap(),
         _ => panic!("no trace"),
     };
     let pairs = case.surfaces.each();

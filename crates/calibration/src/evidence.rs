@@ -94,7 +94,7 @@ impl StudySettings for EvidenceSettings {
     }
 
     fn run(&self, train: Train, watch: &Watch<'_>) -> Result<EvidenceTable, Fault> {
-        EvidenceTable::of(&train, &self.efforts()?, watch.progress)
+        EvidenceTable::new(&train, &self.efforts()?, watch.progress)
     }
 }
 
@@ -125,7 +125,7 @@ impl MiddleRows {
     ///
     /// # Errors
     /// When the case has no result.
-    fn of(outcome: &Outcome) -> Result<Option<Self>, asperity::Error> {
+    fn from_outcome(outcome: &Outcome) -> Result<Option<Self>, asperity::Error> {
         let (Some(mesh), Some(drawn)) = (outcome.settled.only(), &outcome.drawn) else {
             return Ok(None);
         };
@@ -141,7 +141,7 @@ impl MiddleRows {
         let both = drawn_of_single.zip(one).zip(all);
         Ok(both.map(|((of_single, one), all)| Self {
             taken: scans.taken,
-            loss: Quantiles::of(&of_single.draws_w()),
+            loss: Quantiles::from_draws(&of_single.draws_w()),
             difference: difference((&case, of_single, one), (mesh, drawn, all)),
         }))
     }
@@ -188,7 +188,7 @@ impl EvidenceTable {
     ///
     /// # Errors
     /// When the case has no loss or no interval.
-    pub fn of(train: &Train, efforts: &[Effort], progress: Progress<'_>) -> Result<Self, Fault> {
+    pub fn new(train: &Train, efforts: &[Effort], progress: Progress<'_>) -> Result<Self, Fault> {
         let none = || {
             let message = "the loss of this case has no interval: formulation = \"paper\" and a solved full film are computed \
                            without one";
@@ -200,13 +200,13 @@ impl EvidenceTable {
         let named = |source: asperity::Error| Fault::from(source).about(&train.title);
         let run = Run::new(train).pictures(Kept::Highest).interval(true);
         let outcome = run.progress(progress).execute().map_err(named)?;
-        let evidence = Evidence::of(&outcome, efforts, &standard_plan).map_err(named)?;
+        let evidence = Evidence::from_outcome(&outcome, efforts, &standard_plan).map_err(named)?;
         let (Some(loss), Some(Evidence { rows, no_curves })) =
             (outcome.whole.loss_distribution, evidence)
         else {
             return Err(none());
         };
-        let (middle_rows, no_middle_rows) = match MiddleRows::of(&outcome) {
+        let (middle_rows, no_middle_rows) = match MiddleRows::from_outcome(&outcome) {
             Ok(rows) => (rows, None),
             Err(error) => (None, Some(error.to_string())),
         };
@@ -249,7 +249,7 @@ impl EvidenceTable {
         if !has_band(&case) {
             return Ok(None);
         }
-        let table = Self::of(&case.into(), &Effort::usual(), progress)?;
+        let table = Self::new(&case.into(), &Effort::usual(), progress)?;
         let of_plan = table.rows.iter().find(|row| row.key == STANDARD_PLAN);
         // Curves that do not narrow the interval have no row.
         Ok(match table.no_curves {

@@ -297,7 +297,7 @@ mod tests {
     fn layer() -> Vec<Parameter> {
         let case =
             asperity::case::load("../../fixtures/cases/e-drive.toml".as_ref(), None).unwrap();
-        Parameter::of(&case).unwrap()
+        Parameter::all(&case).unwrap()
     }
 
     fn points(temperatures: &[f64], ratios: &[f64]) -> Vec<([f64; 3], Option<f64>)> {

@@ -51,7 +51,7 @@ impl Parameter {
     ///
     /// # Errors
     /// When the family of the oil is not known.
-    pub fn of(case: &LoadedCase) -> Result<Vec<Self>, asperity::Error> {
+    pub fn all(case: &LoadedCase) -> Result<Vec<Self>, asperity::Error> {
         let case = case.at_stated()?;
         let mut parameters = Vec::new();
         for name in CalibratedName::ALL {

@@ -57,7 +57,7 @@ pub struct Observation {
 impl Observation {
     /// Makes the measurement of a table row at an operating point and assembly.
     #[must_use]
-    pub fn of(row: &RigRow, point: usize, assembly: usize) -> Self {
+    pub fn new(row: &RigRow, point: usize, assembly: usize) -> Self {
         Self {
             point,
             assembly,

@@ -121,7 +121,7 @@ impl Rig {
         let number = |row: &RigRow| assemblies.iter().position(|name| *name == row.assembly);
         rows.iter()
             .zip(&self.point_of)
-            .map(|(row, point)| Observation::of(row, *point, number(row).unwrap_or_default()))
+            .map(|(row, point)| Observation::new(row, *point, number(row).unwrap_or_default()))
             .collect()
     }
 
@@ -171,7 +171,7 @@ impl Rig {
 /// When there is no such parameter.
 pub fn parameters(case: &LoadedCase, held: &[CalibratedName]) -> Result<Vec<Parameter>, Fault> {
     let of_case =
-        Parameter::of(case).map_err(|error| Fault::from(error).about(&case.case.title))?;
+        Parameter::all(case).map_err(|error| Fault::from(error).about(&case.case.title))?;
     let free: Vec<Parameter> = of_case
         .into_iter()
         .filter(|parameter| !held.contains(&parameter.name))

@@ -52,7 +52,7 @@ fn oil(is_mineral: bool) -> OilBase {
     let lubricant = input.resolve(Temperature::from_celsius(80.0)).unwrap();
     let mut constants = TractionConstants {
         eyring_stress: Pressure::from_si(stress),
-        ..TractionConstants::of(family).unwrap()
+        ..TractionConstants::from_family(family).unwrap()
     };
     if is_mineral {
         constants.conductivity = ThermalConductivity::from_si(0.137);
@@ -86,7 +86,7 @@ const REFERENCE: FitSettings = FitSettings {
 
 fn fitted(oil: &OilBase, text: &str) -> OilFit {
     let (readings, _) = read_table("curves.csv", text, &machine()).unwrap();
-    OilFit::of(oil, readings.into(), REFERENCE).unwrap()
+    OilFit::new(oil, readings.into(), REFERENCE).unwrap()
 }
 
 /// Values of the constants, and their bands as factors without the widening of linearised bands.
@@ -231,7 +231,7 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
     assert!(is_pcs(&text) && !is_pcs(E_FLUID));
     let readings = read_pcs("mtm.txt", &text, &machine(), Probe::Lube).unwrap();
     assert_eq!(readings.len(), 120);
-    let found = OilFit::of(&oil(false), readings.into(), REFERENCE).unwrap();
+    let found = OilFit::new(&oil(false), readings.into(), REFERENCE).unwrap();
     let values = [0, 1, 3].map(|k| found.constants[k].fitted.value);
     // Friction has four decimals in the file.
     for (value, expected) in values.into_iter().zip([4.786, 0.0356, 0.9511]) {
@@ -254,7 +254,7 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
         .filter(|one| one.contradiction.is_some())
         .collect();
     assert_eq!((readings.len(), bad.len()), (120, 1));
-    let without = OilFit::of(&oil(false), readings.into(), REFERENCE).unwrap();
+    let without = OilFit::new(&oil(false), readings.into(), REFERENCE).unwrap();
     let told = without.warnings.iter().any(|warning| {
         warning.text.contains("one reading is left out: mtm.txt:")
             && warning.text.contains("sliding speed 90 mm/s")
@@ -461,7 +461,7 @@ fn films_of_an_export_replace_the_computed_ones() {
     let slope = (film(2.0) / film(1.0)).ln() / 4.0_f64.ln();
     let straight = film(1.0) * 3.0_f64.powf(slope);
     assert!((at.film.unwrap().si() / straight - 1.0).abs() < 1e-9);
-    let found = OilFit::of(&oil, readings.into(), REFERENCE).unwrap();
+    let found = OilFit::new(&oil, readings.into(), REFERENCE).unwrap();
     let of_films = found.points.iter().filter(|row| row.has_measured_film);
     assert_eq!(of_films.count(), 10);
     let wrong = text.replace("1000\t", "x\t");
@@ -632,7 +632,7 @@ fn a_plan_leaves_the_errors_of_an_independent_program() {
             errors: REFERENCE.errors,
             simulate: None,
         };
-        let plan = OilPlan::of(&oil(is_mineral), None, &settings).unwrap();
+        let plan = OilPlan::new(&oil(is_mineral), None, &settings).unwrap();
         let stages = &plan.stages[1..5];
         let points: Vec<usize> = stages.iter().map(|stage| stage.points).collect();
         // The thin oil lacks the film at 120 °C and 1 m/s.

@@ -30,7 +30,7 @@ pub(crate) struct Cells {
 
 impl Cells {
     /// Cells of a line or a patch with this number of points.
-    pub(crate) fn of(
+    pub(crate) fn new(
         points: usize,
         spacing: Length,
         lead: Option<Lead>,

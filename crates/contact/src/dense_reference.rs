@@ -144,7 +144,10 @@ impl DenseProblem {
         let start = problem.start;
         if let Some(start) = start.filter(|start| start.iter().any(|p| *p > 0.0)) {
             let limit = limit_of(problem);
-            return start.iter().map(|p| State::of(*p, limit)).collect();
+            return start
+                .iter()
+                .map(|p| State::from_pressure(*p, limit))
+                .collect();
         }
         let first = |&h: &f64| {
             if self.sum.is_some() || h < 0.0 {
@@ -183,7 +186,7 @@ fn matrix_of(problem: &ContactProblem) -> Result<Matrix, ContactError> {
         Boundary::Periodic(PeriodicKernel::Strip) => column_of_period(cells.columns),
         Boundary::Periodic(PeriodicKernel::Spectral) => spectral_column(cells.columns),
     };
-    Ok(Matrix::of(&kernel, cells.columns))
+    Ok(Matrix::from_kernel(&kernel, cells.columns))
 }
 
 /// A solved contact under a load whose sets are held: its derivatives over the undeformed gap.
@@ -200,11 +203,11 @@ impl FixedSets {
     ///
     /// # Errors
     /// When the problem is not well posed, too large, of another kind, or no point touches.
-    pub fn of(problem: &ContactProblem, pressure: &[f64]) -> Result<Self, ContactError> {
+    pub fn new(problem: &ContactProblem, pressure: &[f64]) -> Result<Self, ContactError> {
         problem.validate()?;
         let compliance = cell_compliance(problem.spacing, problem.modulus)?;
         let limit = limit_of(problem);
-        let is_touching = |i: &usize| State::of(pressure[*i], limit) == State::Touching;
+        let is_touching = |i: &usize| State::from_pressure(pressure[*i], limit) == State::Touching;
         let touching: Vec<usize> = (0..pressure.len()).filter(is_touching).collect();
         if touching.len() > MAX_POINTS {
             return Err(ContactError::too_many_points(touching.len(), MAX_POINTS));

@@ -198,6 +198,6 @@ impl From<ContactError> for Fault {
             ContactError::Fault(fault) => return fault,
             _ => Remedy::none(),
         };
-        Self::of(error.code(), error).with(remedy)
+        Self::from_cause(error.code(), error).with(remedy)
     }
 }

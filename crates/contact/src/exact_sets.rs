@@ -31,7 +31,7 @@ pub(crate) enum State {
 
 impl State {
     /// Set of a pressure with this limit.
-    pub(crate) fn of(pressure: f64, limit: f64) -> Self {
+    pub(crate) fn from_pressure(pressure: f64, limit: f64) -> Self {
         match pressure > 0.0 {
             true if pressure >= limit => Self::Flowing,
             true => Self::Touching,
@@ -50,7 +50,7 @@ pub(crate) struct Matrix {
 
 impl Matrix {
     /// The matrix with this kernel at the lags of `columns` columns, for one lag along the lead after the other.
-    pub(crate) fn of(kernel: &[f64], columns: usize) -> Self {
+    pub(crate) fn from_kernel(kernel: &[f64], columns: usize) -> Self {
         let rows = kernel.chunks_exact(columns);
         let lags = rows.flat_map(|row| row[1..].iter().rev().chain(row));
         Self {

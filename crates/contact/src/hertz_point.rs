@@ -80,13 +80,13 @@ fn ellipse(ratio: f64) -> Result<(f64, CompleteElliptic), DomainError> {
     // (E/m₁ − K)/(K − E) = (K − D)/(m₁ D) with D = (K − E)/m, which does not cancel near the circle.
     let excess = |log: f64| {
         let square = log.exp();
-        let of = CompleteElliptic::of(square);
+        let of = CompleteElliptic::from_complement(square);
         ((of.first - of.difference) / (square * of.difference * ratio)).ln()
     };
     let log = find_root(excess, FLATTEST.ln(), 0.0, 1e-15).map_or(f64::NAN, |root| root.value);
     let rule = "must not be above 1e9";
     DomainError::require(log.is_finite(), "ratio of the radii", ratio, "-", rule)?;
-    Ok((log.exp(), CompleteElliptic::of(log.exp())))
+    Ok((log.exp(), CompleteElliptic::from_complement(log.exp())))
 }
 
 #[cfg(test)]

@@ -240,7 +240,7 @@ impl ContactProblem<'_> {
 
     /// Cells of the window of a valid problem; a line is one row.
     pub(crate) fn cells(&self) -> Result<Cells, ContactError> {
-        Cells::of(self.gap.len(), self.spacing, self.lead)
+        Cells::new(self.gap.len(), self.spacing, self.lead)
     }
 
     /// Datum distance of the solution: the one of a controlled approach, or twice the window.

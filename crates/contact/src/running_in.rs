@@ -166,11 +166,11 @@ impl RunningIn {
                     lowered(&profiles[0], flow, first_share)?,
                     lowered(&profiles[1], &second_flow, second_share)?,
                 ];
-                passes.push(Pass::of(&solution));
+                passes.push(Pass::from_solution(&solution));
                 // The same shift has nearly the same pressure in the next cycle.
                 *start = Some(solution.pressure);
             }
-            let cycle = Cycle::of(&passes, &profiles);
+            let cycle = Cycle::new(&passes, &profiles);
             let first = cycles.first().unwrap_or(&cycle).dissipated.si();
             energy_ratio = if first > 0.0 {
                 cycle.dissipated.si() / first
@@ -258,7 +258,7 @@ struct Pass {
 }
 
 impl Pass {
-    fn of(solution: &ContactSolution) -> Self {
+    fn from_solution(solution: &ContactSolution) -> Self {
         let flow = &solution.plastic_displacement;
         Self {
             dissipated: solution.dissipated.si(),
@@ -270,7 +270,7 @@ impl Pass {
 }
 
 impl Cycle {
-    fn of(passes: &[Pass], flanks: &[Profile; 2]) -> Self {
+    fn new(passes: &[Pass], flanks: &[Profile; 2]) -> Self {
         let shape = flanks.each_ref().map(|flank| rq_and_peak(flank.heights()));
         let fractions: f64 = passes.iter().map(|pass| pass.contact_fraction).sum();
         let largest = passes.iter().map(|pass| pass.largest_flow);

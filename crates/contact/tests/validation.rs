@@ -211,7 +211,7 @@ fn the_gradient_of_a_contact_is_its_central_difference() {
         let weight = |i: usize| 1e-9 * (0.3 + (i as f64).sin());
         let by_pressure: Vec<f64> = (0..gap.len()).map(weight).collect();
         let by_approach = 2e5;
-        let sets = FixedSets::of(&problem, &solution.pressure).unwrap();
+        let sets = FixedSets::new(&problem, &solution.pressure).unwrap();
         let gradient = sets.gap_gradient(&by_pressure, by_approach);
         let number = |gap: &[f64]| {
             let start = Some(solution.pressure.as_slice());

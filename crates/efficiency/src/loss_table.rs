@@ -204,5 +204,5 @@ fn no_grid(rows: &[LossRow], torques: &[f64], speeds: &[f64]) -> EfficiencyError
 
 /// Interval of the nodes that holds `value`; `None` beyond the nodes.
 fn interval(nodes: &[f64], value: f64) -> Option<NodeInterval> {
-    NodeInterval::of(nodes, |node| *node, value).inside()
+    NodeInterval::from_nodes(nodes, |node| *node, value).inside()
 }

@@ -55,11 +55,11 @@ impl MoesNumbers {
     ///
     /// ```
     /// use asperity_ehl_regime::{FilmGroups, attenuation::MoesNumbers};
-    /// let numbers = MoesNumbers::of(&FilmGroups { material: 4000.0, speed: 5e-11, load: 1e-4 })?;
+    /// let numbers = MoesNumbers::from_groups(&FilmGroups { material: 4000.0, speed: 5e-11, load: 1e-4 })?;
     /// assert!((numbers.load - 10.0).abs() < 1e-12 && (numbers.material - 4000.0 * 1e-10f64.sqrt().sqrt()).abs() < 1e-9);
     /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
     /// ```
-    pub fn of(groups: &FilmGroups) -> Result<Self, RegimeError> {
+    pub fn from_groups(groups: &FilmGroups) -> Result<Self, RegimeError> {
         cite!("Moes-numbers");
         let (g, u, w) = film_line::checked(groups)?;
         Ok(Self {

@@ -50,7 +50,7 @@ const ROOT_TOLERANCE: f64 = 1e-13;
 const SLOPE_STEP: f64 = 1e-4;
 
 impl FlowCurve {
-    fn of(patches: &[Patch], sigma: f64) -> Result<Self, RegimeError> {
+    fn new(patches: &[Patch], sigma: f64) -> Result<Self, RegimeError> {
         let threshold = patches
             .iter()
             .map(|patch| patch.percolation_gap().si() / sigma);
@@ -93,7 +93,7 @@ impl FlowCurve {
         if gap <= self.nodes[0][0] {
             return 0.0;
         }
-        let interval = NodeInterval::of(&self.nodes, |node| node[0], gap);
+        let interval = NodeInterval::from_nodes(&self.nodes, |node| node[0], gap);
         if interval.part > 1.0 {
             return Self::widely(self.wide, gap);
         }
@@ -160,7 +160,7 @@ fn with_slopes(points: &[[f64; 2]]) -> Vec<[f64; 3]> {
 /// let heights: Vec<f64> = (0..32).map(z).collect();
 /// let mean = (0..8).map(|i| (1.0 - z(i) / 0.3e-6).powi(-3)).sum::<f64>() / 8.0;
 /// let patch = Patch::new(heights, [8, 4], [um(1.0), um(1.0)])?;
-/// let (sigma, table) = (patch.rms(), FlowTable::of(&[patch])?);
+/// let (sigma, table) = (patch.rms(), FlowTable::new(&[patch])?);
 /// assert!((table.factor(um(0.3), sigma) * mean - 1.0).abs() < 0.01);
 /// assert_eq!(table.factor(um(0.1), sigma), 0.0);
 /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
@@ -176,14 +176,14 @@ impl FlowTable {
     ///
     /// # Errors
     /// When there is no patch, or the flow through one has no solution.
-    pub fn of(patches: &[Patch]) -> Result<Self, RegimeError> {
+    pub fn new(patches: &[Patch]) -> Result<Self, RegimeError> {
         let number = patches.len();
         let rule = "must be at least one";
         DomainError::require(number > 0, "patches", number as f64, "-", rule)?;
         let squares = patches.iter().map(|patch| patch.rms().si().powi(2));
         let sigma = (squares.sum::<f64>() / number as f64).sqrt();
         let curves = match sigma > 0.0 {
-            true => vec![(Arc::new(FlowCurve::of(patches, sigma)?), 1.0)],
+            true => vec![(Arc::new(FlowCurve::new(patches, sigma)?), 1.0)],
             false => Vec::new(),
         };
         Ok(Self { curves })

@@ -229,12 +229,12 @@ impl LightLoad {
     ///
     /// ```
     /// use asperity_ehl_regime::{MoesNumbers, light_load::LightLoad};
-    /// let at = |load, material| LightLoad::of(&MoesNumbers { load, material });
+    /// let at = |load, material| LightLoad::new(&MoesNumbers { load, material });
     /// assert!((at(1.4, 7.5).excess[0] + 0.2254).abs() < 1e-12 && (at(1.4, 7.5).inlet - 1.5696).abs() < 1e-12);
     /// assert!(at(2000.0, 6.0).excess.iter().all(|c| c.abs() < 0.01));
     /// ```
     #[must_use]
-    pub fn of(numbers: &MoesNumbers) -> Self {
+    pub fn new(numbers: &MoesNumbers) -> Self {
         cite!("Light-load");
         let (first, last) = (LOADS[0], LOADS[LOADS.len() - 1]);
         let within = numbers.load.clamp(first, last);

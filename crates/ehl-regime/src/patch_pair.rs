@@ -138,7 +138,7 @@ impl PatchPair {
         );
         let place = |place| first.clone().composite(&second, self.offset(place));
         let patches: Vec<Patch> = (0..self.places).map(place).collect();
-        let made = Arc::new(FlowTable::of(&patches)?);
+        let made = Arc::new(FlowTable::new(&patches)?);
         known.insert(power, Arc::clone(&made));
         Ok(made)
     }

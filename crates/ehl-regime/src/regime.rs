@@ -54,11 +54,11 @@ impl Regime {
     ///
     /// ```
     /// use asperity_ehl_regime::Regime;
-    /// assert_eq!(Regime::of(1.0)?, Regime::FullFilm);
-    /// assert_eq!(Regime::of(0.99)?, Regime::Mixed);
+    /// assert_eq!(Regime::from_lambda_star(1.0)?, Regime::FullFilm);
+    /// assert_eq!(Regime::from_lambda_star(0.99)?, Regime::Mixed);
     /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
     /// ```
-    pub fn of(lambda_star: f64) -> Result<Self, RegimeError> {
+    pub fn from_lambda_star(lambda_star: f64) -> Result<Self, RegimeError> {
         Ok(if not_negative("Lambda*", lambda_star)? >= 1.0 {
             Self::FullFilm
         } else {

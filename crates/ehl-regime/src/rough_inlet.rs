@@ -46,7 +46,7 @@ pub struct PairSpectrum {
 impl PairSpectrum {
     /// The waves of both traces, which pass each other and are unrelated.
     #[must_use]
-    pub fn of(traces: [&TraceSpectrum; 2]) -> Self {
+    pub fn from_traces(traces: [&TraceSpectrum; 2]) -> Self {
         Self::of_waves(traces.into_iter().flat_map(TraceSpectrum::waves).collect())
     }
 
@@ -146,13 +146,13 @@ impl RoughInlet {
     /// use asperity_ehl_regime::{Lay, PairSpectrum, RoughInlet, TraceSpectrum};
     /// let wave: Vec<f64> = (0..400).map(|i| 0.3e-6 * (f64::from(i) * std::f64::consts::TAU / 100.0).sin()).collect();
     /// let trace = TraceSpectrum::new(&wave, Length::from_si(0.5e-6))?;
-    /// let waves = PairSpectrum::of([&trace, &trace]);
+    /// let waves = PairSpectrum::from_traces([&trace, &trace]);
     /// // A thin film is fed through an inlet that the roughness lengthens: waves are flattened less.
-    /// let inlet = RoughInlet::of(&waves, 1e5, Length::from_si(0.05e-6), Lay::ACROSS)?;
+    /// let inlet = RoughInlet::new(&waves, 1e5, Length::from_si(0.05e-6), Lay::ACROSS)?;
     /// assert!(inlet.inlet_factor > 5.0 && inlet.attenuation.nabla_per_length() < 0.6e5);
     /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
     /// ```
-    pub fn of(
+    pub fn new(
         waves: &PairSpectrum,
         nabla_per_length: f64,
         smooth_gap: Length,

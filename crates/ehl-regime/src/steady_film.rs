@@ -344,7 +344,7 @@ pub fn factors(numbers: &MoesNumbers) -> [f64; 3] {
 /// ```
 pub fn steady_film(groups: &FilmGroups, radius: Length) -> Result<[Length; 2], RegimeError> {
     cite!("Steady-film");
-    let [middle, least, _] = factors(&MoesNumbers::of(groups)?);
+    let [middle, least, _] = factors(&MoesNumbers::from_groups(groups)?);
     Ok([
         film_line::dowson_toyoda(groups, radius)? * middle,
         film_line::dowson_higginson(groups, radius)? * least,

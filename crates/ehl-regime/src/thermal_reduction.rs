@@ -164,7 +164,7 @@ pub fn gupta(
     slide_to_roll: f64,
 ) -> Result<Checked<f64>, RegimeError> {
     cite!("P10");
-    let form = Gupta::of(max_pressure, reduced_modulus, slide_to_roll)?;
+    let form = Gupta::new(max_pressure, reduced_modulus, slide_to_roll)?;
     let l = checked_loading(loading)?;
     let fall = form.fall(l);
     let mut outside = Vec::new();
@@ -199,7 +199,7 @@ pub fn gupta_as_printed(
     loading: f64,
     slide_to_roll: f64,
 ) -> Result<f64, RegimeError> {
-    let form = Gupta::of(max_pressure, reduced_modulus, slide_to_roll)?;
+    let form = Gupta::new(max_pressure, reduced_modulus, slide_to_roll)?;
     let [pressure, of_loading] = form.terms(checked_loading(loading)?);
     Ok((1.0 - pressure).max(LEAST_NUMERATOR) / (1.0 + of_loading))
 }
@@ -213,7 +213,7 @@ struct Gupta {
 }
 
 impl Gupta {
-    fn of(
+    fn new(
         max_pressure: Pressure,
         reduced_modulus: Pressure,
         slide_to_roll: f64,

@@ -4,7 +4,7 @@ use asperity_ehl_regime::MoesNumbers;
 use asperity_ehl_regime::light_load::LightLoad;
 
 fn at(load: f64, material: f64) -> LightLoad {
-    LightLoad::of(&MoesNumbers { load, material })
+    LightLoad::new(&MoesNumbers { load, material })
 }
 
 #[test]

@@ -263,7 +263,7 @@ fn without_a_film_the_asperities_carry_the_load() {
     assert_eq!(LoadShareLaw::ZhuHu.film_share(0.0, 0.0), Ok(0.0));
     assert!(LoadShareLaw::LambdaStar.film_share(f64::NAN, 1.0).is_err());
     assert!(LoadShareLaw::ZhuHu.film_share(1.0, -1.0).is_err());
-    assert!(Regime::of(f64::NAN).is_err());
+    assert!(Regime::from_lambda_star(f64::NAN).is_err());
 }
 
 #[test]

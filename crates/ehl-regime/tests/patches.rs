@@ -235,7 +235,7 @@ fn a_wide_gap_has_the_expansion_of_its_spectrum() {
     let rough = gaussian([64, 48], [6.0, 12.0], 3);
     let cosine = PatchSpectrum::new(&rough).mean_square_cosine();
     assert!(cosine > 0.55 && cosine < 0.9, "{cosine}");
-    let table = FlowTable::of(std::slice::from_ref(&rough)).unwrap();
+    let table = FlowTable::new(std::slice::from_ref(&rough)).unwrap();
     let by_spectrum = |gap: f64| 1.0 - 3.0 * (3.0 * cosine - 1.0) / (gap * gap);
     for gap in [30.0, 60.0] {
         let less = 1.0 - flow(&rough, gap) / gap.powi(3);
@@ -256,7 +256,7 @@ fn a_wide_gap_has_the_expansion_of_its_spectrum() {
 #[test]
 fn a_table_rises_from_the_percolation_gap_and_holds_the_flow() {
     let patches = [1, 2].map(|seed| gaussian([64, 64], [6.0, 18.0], seed));
-    let table = FlowTable::of(&patches).unwrap();
+    let table = FlowTable::new(&patches).unwrap();
     let closing = patches
         .iter()
         .map(|patch| patch.percolation_gap().si() * 1e6);
@@ -276,8 +276,8 @@ fn a_table_rises_from_the_percolation_gap_and_holds_the_flow() {
         .map(|gap| table.factor(um(*gap), um(1.0)) * gap.powi(3))
         .collect();
     assert!(cubed.windows(2).all(|pair| pair[1] > pair[0]));
-    assert!(FlowTable::of(&[]).is_err());
-    let smooth = FlowTable::of(&[patch([4, 4], [1.0, 1.0], |_, _| 0.0)]).unwrap();
+    assert!(FlowTable::new(&[]).is_err());
+    let smooth = FlowTable::new(&[patch([4, 4], [1.0, 1.0], |_, _| 0.0)]).unwrap();
     assert_eq!(smooth.factor(um(0.1), um(1.0)), 1.0);
     assert_eq!(smooth.inlet_factor(um(1.0), um(0.1)).unwrap(), 1.0);
 }
@@ -289,7 +289,7 @@ fn the_computed_inlet_is_between_its_limits() {
         (TAU * (i as f64 + 0.5) / 24.0).sin()
     });
     let sigma = ridges.rms();
-    let table = FlowTable::of(std::slice::from_ref(&ridges)).unwrap();
+    let table = FlowTable::new(std::slice::from_ref(&ridges)).unwrap();
     let factor = table.inlet_factor(sigma, sigma * 20.0).unwrap();
     let slope = (factor * factor - 1.0) * 400.0;
     assert!((slope / 2.342 - 1.0).abs() < 0.03, "{slope}");
@@ -299,7 +299,7 @@ fn the_computed_inlet_is_between_its_limits() {
     assert_eq!(table.inlet_factor(um(0.0), um(1.0)).unwrap(), 1.0);
     assert!(table.inlet_factor(um(1.0), um(0.0)).is_err());
     // The gap supplied rises with the film.
-    let rough = FlowTable::of(&[gaussian([48, 48], [6.0, 6.0], 2)]).unwrap();
+    let rough = FlowTable::new(&[gaussian([48, 48], [6.0, 6.0], 2)]).unwrap();
     let gap = |film: f64| film * rough.inlet_factor(um(1.0), um(film)).unwrap();
     let films = [0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0];
     assert!(films.windows(2).all(|pair| gap(pair[1]) > gap(pair[0])));
@@ -377,7 +377,7 @@ fn a_pair_of_patches_has_one_inlet() {
         let moved = (j + y) % size[1] * size[0] + (i + x) % size[0];
         1e6 * (first.heights()[j * size[0] + i] + second.heights()[moved])
     });
-    let direct = FlowTable::of(std::slice::from_ref(&left)).unwrap();
+    let direct = FlowTable::new(std::slice::from_ref(&left)).unwrap();
     // The heights of two patches may be related by chance: their sum has another deviation.
     let own = direct.inlet_factor(sigma, gap).unwrap();
     assert!(
@@ -397,13 +397,13 @@ fn a_pair_of_patches_has_one_inlet() {
     let traces = ridges
         .each_ref()
         .map(|patch| TraceSpectrum::new(&patch.heights()[..40], um(0.5)).unwrap());
-    let of_traces = PairSpectrum::of(traces.each_ref());
+    let of_traces = PairSpectrum::from_traces(traces.each_ref());
     let ridges = PatchPair::new(ridges.each_ref().map(PatchSpectrum::new), 1).unwrap();
     let attenuation = Attenuation::new(GapLaw::Inlet, nabla).unwrap();
     let ratio = ridges.waves().roughness(&attenuation) / of_traces.roughness(&attenuation);
     assert!((ratio - 1.0).abs() < 1e-9);
     // By the second order the gap of these flanks is wider.
-    let second = RoughInlet::of(pair.waves(), nabla, gap, Lay::ISOTROPIC).unwrap();
+    let second = RoughInlet::new(pair.waves(), nabla, gap, Lay::ISOTROPIC).unwrap();
     assert!(second.inlet_factor > 1.0);
     let other = PatchSpectrum::new(&patch([32, 48], [0.5, 0.5], |i, j| (i * j) as f64));
     let [first, _] = spectra();

@@ -37,7 +37,7 @@ fn e_drive() -> FilmConditions {
 #[test]
 fn moes_numbers_give_the_film_of_moes() {
     let groups = e_drive().line_groups().unwrap();
-    let numbers = MoesNumbers::of(&groups).unwrap();
+    let numbers = MoesNumbers::from_groups(&groups).unwrap();
     // The elastic piezoviscous asymptote is 1.311 M^(-1/8) L^(3/4) R sqrt(2U), the film close to it.
     let asymptote = 1.311
         * numbers.load.powf(-0.125)
@@ -52,7 +52,7 @@ fn moes_numbers_give_the_film_of_moes() {
 fn attenuation_of_the_reference_windows() {
     // M 30.84, L 8.09 by an independent program for this position; nabla of 100 um from them.
     let groups = e_drive().line_groups().unwrap();
-    let numbers = MoesNumbers::of(&groups).unwrap();
+    let numbers = MoesNumbers::from_groups(&groups).unwrap();
     let (e, r) = (2.0 * 210e9 / 2.0 / 0.91, 3.6272968270e-3);
     let sum = 5.7763422513e-3 * (3.5865118774 + 9.2742971144) / (e * r);
     let m = 1.4379302065e5 / (e * r) / f64::sqrt(sum);
@@ -114,7 +114,7 @@ fn the_roughness_of_a_pair_is_that_of_its_attenuated_traces() {
         (0..4001 + seed % 2).map(height).collect()
     };
     let [first, second] = [3, 100].map(|seed| TraceSpectrum::new(&z(seed), um(0.5)).unwrap());
-    let waves = PairSpectrum::of([&first, &second]);
+    let waves = PairSpectrum::from_traces([&first, &second]);
     for nabla in [0.0, 1e4, 1e5, 1e6] {
         let attenuation = Attenuation::new(GapLaw::Inlet, nabla).unwrap();
         let square = |trace: &TraceSpectrum| {
@@ -130,9 +130,9 @@ fn the_roughness_of_a_pair_is_that_of_its_attenuated_traces() {
 #[test]
 fn a_rough_inlet_has_the_limits_of_thick_and_thin_films() {
     let pair = [wave(100.0, 0.4), wave(30.0, 0.2)];
-    let waves = PairSpectrum::of(pair.each_ref());
+    let waves = PairSpectrum::from_traces(pair.each_ref());
     let nabla = 1e5;
-    let of = |film: f64| RoughInlet::of(&waves, nabla, um(film), Lay::ACROSS).unwrap();
+    let of = |film: f64| RoughInlet::new(&waves, nabla, um(film), Lay::ACROSS).unwrap();
     // Thick: half of 2.342 (σ_d/h_g)² more than 1, with the smooth inlet.
     let smooth = Attenuation::new(GapLaw::Inlet, nabla).unwrap();
     let ratio = waves.roughness(&smooth).si() / 20e-6;
@@ -146,7 +146,7 @@ fn a_rough_inlet_has_the_limits_of_thick_and_thin_films() {
     // Thinner: the smooth inlet shortens with h^(2/3); the gap falls more slowly than the film, and never stops.
     let gap = |film: f64| {
         let scale = nabla * (film / 0.2).powf(-2.0 / 3.0);
-        let inlet = RoughInlet::of(&waves, scale, um(film), Lay::ACROSS).unwrap();
+        let inlet = RoughInlet::new(&waves, scale, um(film), Lay::ACROSS).unwrap();
         film * inlet.inlet_factor
     };
     let falls = |film: f64| (gap(film) / gap(0.5 * film)).log2();
@@ -163,15 +163,15 @@ fn a_rough_inlet_has_the_limits_of_thick_and_thin_films() {
     assert!((film * of(film).inlet_factor / bound - 1.0).abs() < 0.05);
     // Smooth flanks have the smooth film.
     let flat = [wave(100.0, 0.0), wave(30.0, 0.0)];
-    let none = RoughInlet::of(
-        &PairSpectrum::of(flat.each_ref()),
+    let none = RoughInlet::new(
+        &PairSpectrum::from_traces(flat.each_ref()),
         nabla,
         um(0.1),
         Lay::ACROSS,
     );
     assert_eq!(none.unwrap().inlet_factor, 1.0);
-    assert!(RoughInlet::of(&waves, nabla, um(0.0), Lay::ACROSS).is_err());
-    assert!(RoughInlet::of(&waves, f64::NAN, um(0.1), Lay::ACROSS).is_err());
+    assert!(RoughInlet::new(&waves, nabla, um(0.0), Lay::ACROSS).is_err());
+    assert!(RoughInlet::new(&waves, f64::NAN, um(0.1), Lay::ACROSS).is_err());
 }
 
 #[test]
@@ -350,8 +350,8 @@ proptest! {
     ) {
         let lay = Lay::new(gamma).unwrap();
         let pair = [(long, high), (short, low)].map(|(length, amplitude)| wave(length, amplitude));
-        let waves = PairSpectrum::of(pair.each_ref());
-        let inlet = RoughInlet::of(&waves, nabla, um(film), lay).unwrap();
+        let waves = PairSpectrum::from_traces(pair.each_ref());
+        let inlet = RoughInlet::new(&waves, nabla, um(film), lay).unwrap();
         prop_assert!(inlet.evidence.residual <= 1e-10 && inlet.evidence.iterations <= 70);
         // It is its own image.
         let image = |factor: f64| {
@@ -407,8 +407,8 @@ fn the_scale_of_a_rough_inlet_has_the_gradient_of_its_differences() {
         let spectra = heights
             .each_ref()
             .map(|z| TraceSpectrum::new(z, dx).unwrap());
-        let waves = PairSpectrum::of([&spectra[0], &spectra[1]]);
-        let inlet = RoughInlet::of(&waves, 1.4e5, um(0.1), Lay::GROUND).unwrap();
+        let waves = PairSpectrum::from_traces([&spectra[0], &spectra[1]]);
+        let inlet = RoughInlet::new(&waves, 1.4e5, um(0.1), Lay::GROUND).unwrap();
         (inlet, waves, spectra)
     };
     let (found, waves, spectra) = inlet(&heights);

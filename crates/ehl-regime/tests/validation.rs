@@ -228,7 +228,10 @@ fn lambda_star_of_the_reference_case() {
             ROUNDING,
         );
         close(parameter.value, position.lambda_star, ROUNDING);
-        assert_eq!(Regime::of(parameter.value).unwrap(), Regime::FullFilm);
+        assert_eq!(
+            Regime::from_lambda_star(parameter.value).unwrap(),
+            Regime::FullFilm
+        );
     }
 }
 

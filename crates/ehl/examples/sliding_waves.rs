@@ -78,7 +78,7 @@ fn main() -> Outcome<()> {
 }
 
 fn print_row([m, l, wave, slide, stress, cells]: [f64; 6]) -> Outcome<()> {
-    let case = Case::of(m, l, slide, stress)?;
+    let case = Case::new(m, l, slide, stress)?;
     let (solved, film) = case.solve(wave, cells as usize)?;
     let theory = case.theory(wave, film);
     let polar = |value: Complex<f64>| format!("{:.2} ({:+.0}°)", value.norm(), degrees(value));
@@ -115,7 +115,7 @@ struct Case {
 
 impl Case {
     /// A contact of Moes' numbers at 1 m/s.
-    fn of(m: f64, l: f64, slide: f64, stress: f64) -> Outcome<Self> {
+    fn new(m: f64, l: f64, slide: f64, stress: f64) -> Outcome<Self> {
         let max_pressure = l * (m / TAU).sqrt() / ALPHA;
         let load = PI * RADIUS * max_pressure * max_pressure / MODULUS;
         let viscosity = (load / (2.0 * MODULUS * RADIUS) / m).powi(2) * MODULUS * RADIUS;

@@ -111,7 +111,7 @@ impl From<ContactError> for EhlError {
             ContactError::Cancelled(cancelled) => Self::Cancelled(cancelled),
             error => {
                 let remedy = Remedy::act("correct the radius, the reduced modulus or the load");
-                Self::Fault(Fault::of(Code::E209, error).with(remedy))
+                Self::Fault(Fault::from_cause(Code::E209, error).with(remedy))
             }
         }
     }
@@ -120,7 +120,7 @@ impl From<ContactError> for EhlError {
 /// A shear stress with its own heat did not converge.
 impl From<asperity_oil::LubricantError> for EhlError {
     fn from(error: asperity_oil::LubricantError) -> Self {
-        Self::Fault(Fault::of(Code::E307, error))
+        Self::Fault(Fault::from_cause(Code::E307, error))
     }
 }
 
@@ -128,7 +128,7 @@ impl From<EhlError> for Fault {
     fn from(error: EhlError) -> Self {
         match error {
             EhlError::Fault(fault) => fault,
-            error => Self::of(error.code(), error),
+            error => Self::from_cause(error.code(), error),
         }
     }
 }

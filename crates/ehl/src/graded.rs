@@ -94,7 +94,7 @@ pub fn reference(
     let evidence = Evidence {
         newton_iterations: work.0,
         gmres_iterations: work.1,
-        ..Evidence::of(&known.0, &known.1, 0.0)
+        ..Evidence::new(&known.0, &known.1, 0.0)
     };
     Ok(Solved {
         value: summary(&scales, films),

@@ -57,7 +57,7 @@ impl Grid {
 
     /// Piecewise linear value at `x` of `values` on the nodes, constant beyond the ends.
     pub(crate) fn interpolate(&self, values: &[f64], x: f64) -> f64 {
-        let interval = NodeInterval::of(&self.x, |node| *node, x);
+        let interval = NodeInterval::from_nodes(&self.x, |node| *node, x);
         interval.held().mean(|node| values[node])
     }
 }

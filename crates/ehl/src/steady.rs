@@ -224,7 +224,7 @@ pub fn solve_over_ridges(
     let evidence = Evidence {
         newton_iterations: solved.newton_iterations,
         gmres_iterations: solved.gmres_iterations,
-        ..Evidence::of(&solved.grid, &solved.solution, 0.0)
+        ..Evidence::new(&solved.grid, &solved.solution, 0.0)
     };
     let film = SteadyFilm::new(&scales, oil, &solved.grid, solved.solution);
     Ok(Solved {

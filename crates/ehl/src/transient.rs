@@ -291,7 +291,7 @@ pub fn record_watched(
     let mut evidence = Evidence {
         newton_iterations: 0,
         gmres_iterations: 0,
-        ..Evidence::of(&smooth.grid, &smooth.solution, 0.0)
+        ..Evidence::new(&smooth.grid, &smooth.solution, 0.0)
     };
     let smooth_film = scales.film_length(smooth.grid.interpolate(&smooth.solution.film, 0.0));
     let surfaces = [contact.surface_1.clone(), contact.surface_2.clone()];
@@ -317,7 +317,7 @@ pub fn record_watched(
         let step = stepper.advance()?;
         evidence.join(&Evidence {
             steps: 1,
-            ..Evidence::of(&stepper.grid, &stepper.now, step_settings.contact_film)
+            ..Evidence::new(&stepper.grid, &stepper.now, step_settings.contact_film)
         });
         // The surfaces are warm when the record begins.
         let heated = recorder.heated(&stepper, step)?;

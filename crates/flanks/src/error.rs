@@ -63,7 +63,7 @@ impl PositionError {
     /// A part of the gearbox has no loss.
     pub fn gearbox_part(part: &str, error: Self) -> Self {
         let (code, remedy) = (error.code(), error.remedy());
-        let fault = Fault::of(code, error).with(remedy);
+        let fault = Fault::from_cause(code, error).with(remedy);
         Self::Fault(fault.about(format!("gearbox: {part}")))
     }
 
@@ -173,7 +173,7 @@ macro_rules! outside_the_model {
     ($($cause:ty),+) => {
         $(impl From<$cause> for PositionError {
             fn from(error: $cause) -> Self {
-                Self::Fault(Fault::of(Code::E305, error))
+                Self::Fault(Fault::from_cause(Code::E305, error))
             }
         })+
     };

@@ -38,7 +38,7 @@ impl FlankLay {
     };
 
     /// The measured lay; `None` if it says less than the assumed one.
-    pub fn of(measured: &RowLay) -> Option<Self> {
+    pub fn from_rows(measured: &RowLay) -> Option<Self> {
         let [low, high] = measured.range.map(|end| two_digits(end.min(1.0)));
         match measured.is_bound {
             true if high >= MOST_LAY && low < MOST_LAY => None,

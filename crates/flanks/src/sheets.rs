@@ -79,7 +79,7 @@ pub struct MadeSheet {
 impl MadeSheet {
     /// The sheet of pinion or wheel with this lay. Ridges across the face are constant along the lead.
     #[must_use]
-    pub fn of(body: usize, lay: f64) -> Self {
+    pub fn new(body: usize, lay: f64) -> Self {
         let seed = (lay > Lay::CONFIRMED.gamma()).then(|| SEEDS[body]);
         Self { lay, seed }
     }
@@ -164,7 +164,10 @@ impl Sheets {
     ///
     /// # Errors
     /// When no flank has a scan, a scan has fewer than 16 rows at this distance, or a surface cannot be made or resampled.
-    pub fn of(sources: [impl Into<SheetSource>; 2], along: Length) -> Result<Self, RoughnessError> {
+    pub fn new(
+        sources: [impl Into<SheetSource>; 2],
+        along: Length,
+    ) -> Result<Self, RoughnessError> {
         let sources = sources.map(Into::into);
         let finer = sources.iter().filter_map(|source| match source {
             SheetSource::Scan(surface) => Some(surface.spacings[1].si()),
@@ -201,7 +204,7 @@ impl Sheets {
             (columns[body], heights[body]) = match source {
                 SheetSource::Scan(surface) => (surface.columns, repeated(&surface, rows)),
                 SheetSource::Trace(trace, lay) => {
-                    let made = MadeSheet::of(body, lay);
+                    let made = MadeSheet::new(body, lay);
                     (trace.len(), made.heights(&trace, kept, across)?)
                 }
             };
@@ -411,7 +414,7 @@ impl Sheets {
         let FlattenedSheets { heights, ripples } = &*self.flattened(inlet)?;
         let cut = |of| sums(of, self.columns, self.rows, place);
         let ripples = ripples.as_ref().map(|ripples| ripples.each(cut));
-        let made = Arc::new(PatchSample::of(
+        let made = Arc::new(PatchSample::new(
             &cut(heights),
             place.points,
             ripples.as_ref().map(|ripples| ripples.each(Vec::as_slice)),
@@ -599,7 +602,7 @@ mod tests {
         };
         let um = Length::from_si(1e-6);
         let surface = prepare_surface(&z, 300, [um; 2], &recipe).unwrap();
-        let sheets = Sheets::of([surface.clone(), surface], um).unwrap();
+        let sheets = Sheets::new([surface.clone(), surface], um).unwrap();
         let flattening = Flattening::from(Attenuation::new(GapLaw::Inlet, 3.7e5).unwrap());
         let window = |start: isize, shift: usize| {
             let place = PatchPlace {

@@ -171,7 +171,7 @@ pub fn prepared_trace(
     } else {
         read.profile.clone()
     };
-    let mut filters = Filters::of(inputs.filters, &read.statements);
+    let mut filters = Filters::new(inputs.filters, &read.statements);
     if place.is_some_and(|place| place.reference.is_some()) {
         filters.keep_ends(inputs.filters);
     }
@@ -199,7 +199,7 @@ pub fn prepared_trace(
     // Without a cut-off the whole trace is one evaluation of five sections, and nothing is filtered twice.
     let lambda_c = preparation.lambda_c;
     let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
-    let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section)?;
+    let parameters = Parameters::from_profile(&prepared.profile, Mode::Iso4287, section)?;
     if let Some(lines) = lines {
         let evaluated = (preparation, section, parameters.heights.rq);
         check_mean(lines, inputs, own_radius, evaluated)?;
@@ -282,7 +282,7 @@ fn check_mean(
         // A line with missing points has no parameters, but the mean may.
         let line = read_trace(&content, inputs, &options, own_radius).ok()?;
         let line = prepare(&line.profile, preparation).ok()?.profile;
-        let parameters = Parameters::of(&line, Mode::Iso4287, section).ok()?;
+        let parameters = Parameters::from_profile(&line, Mode::Iso4287, section).ok()?;
         Some(parameters.heights.rq.si().powi(2))
     };
     let across = match &content {

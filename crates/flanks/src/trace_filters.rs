@@ -45,7 +45,7 @@ pub struct Filters {
 
 impl Filters {
     /// The stated filters, else the filters of the file, else the defaults.
-    pub(crate) fn of(stated: StatedFilters, of_heights: &Statements) -> Self {
+    pub(crate) fn new(stated: StatedFilters, of_heights: &Statements) -> Self {
         /// Cut-offs that differ by less are the same as printed.
         const SAME: f64 = 1e-6;
         let mut filters = Self {

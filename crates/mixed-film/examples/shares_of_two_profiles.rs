@@ -107,7 +107,7 @@ pub fn main() -> Outcome<()> {
             bodies: [steel(), steel()],
         };
         let mut film = PositionFilm::new(&rheology, &contact, bulk(), &settings)?;
-        let flattening = film.flattening(&PairSpectrum::of(spectra.each_ref()))?;
+        let flattening = film.flattening(&PairSpectrum::from_traces(spectra.each_ref()))?;
         let traces = AttenuatedTraces::new(spectra.each_ref(), &flattening);
         let mut sums = [0.0; 4];
         for (starts, table) in &windows {
@@ -162,7 +162,7 @@ fn rheology(number: &dyn Fn(&str, f64) -> Outcome<f64>) -> Outcome<FilmRheology>
     let constants = TractionConstants {
         eyring_stress: Pressure::from_si(number("tau0", 4e6)?),
         limiting_shear: number("limit", 0.05)?,
-        ..TractionConstants::of(BaseOil::Pao)?
+        ..TractionConstants::from_family(BaseOil::Pao)?
     };
     let alpha = PressureViscosity::from_si(number("alpha", 1.8e-8)?);
     Ok(FilmRheology::with_alpha(&oil, constants, alpha, bulk())?)

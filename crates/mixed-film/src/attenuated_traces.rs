@@ -54,7 +54,7 @@ impl AttenuatedTraces {
         }
         let cut = |of| parts(of, starts, points);
         let ripples = self.ripples.as_ref().map(|ripples| ripples.each(cut));
-        Ok(WindowRoughness::of(
+        Ok(WindowRoughness::new(
             cut(&self.heights),
             ripples,
             self.reach,
@@ -88,7 +88,7 @@ impl AttenuatedTraces {
         let sums = |of| mirrored_sums(of, starts, points);
         let ripples = self.ripples.as_ref().map(|ripples| ripples.each(sums));
         let ripples = ripples.as_ref().map(|sums| sums.each(|of| [of.as_slice()]));
-        Ok(WindowRoughness::of(
+        Ok(WindowRoughness::new(
             [&sums(&self.heights)],
             ripples,
             self.reach,

@@ -70,7 +70,7 @@ impl From<ContactState> for TableRow {
             dissipated: state.dissipated,
             load_error: state.solution.certificate.load_error,
             duality_gap: state.solution.certificate.duality_gap,
-            pressure: SparsePressure::of(&state.solution.pressure),
+            pressure: SparsePressure::from_pressure(&state.solution.pressure),
             spots: state.spots,
         }
     }

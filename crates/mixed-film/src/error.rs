@@ -66,7 +66,7 @@ macro_rules! outside_the_domain {
     ($($error:ty),+) => {
         $(impl From<$error> for LoadShareError {
             fn from(error: $error) -> Self {
-                Self::Fault(Fault::of(Code::E209, error))
+                Self::Fault(Fault::from_cause(Code::E209, error))
             }
         })+
     };
@@ -76,6 +76,6 @@ outside_the_domain!(DomainError, RegimeError, FrictionError, LubricantError);
 
 impl From<LoadShareError> for Fault {
     fn from(error: LoadShareError) -> Self {
-        Self::of(Code::E209, error)
+        Self::from_cause(Code::E209, error)
     }
 }

@@ -44,7 +44,7 @@ impl FilmFriction for FilmAlone {
         let mut film = LoadedFilm::new(&self.rheology, &contact, FilmSettings::default())?;
         film.carry(at.film_share)?;
         Ok(film.solve()?.map(|solution| {
-            FilmTraction::of(solution.coefficient)
+            FilmTraction::from_coefficient(solution.coefficient)
                 .with_rises(solution.surface_rise, solution.largest_film_rise)
         }))
     }

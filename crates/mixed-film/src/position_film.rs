@@ -68,7 +68,7 @@ const COMPARED: FittedRange = FittedRange::new(
 /// #     points: usize) -> Result<(), Box<dyn std::error::Error>> {
 /// let settings = LoadShareSettings::default();
 /// let mut film = PositionFilm::new(rheology, &contact, "90 °C".parse()?, &settings)?;
-/// let flattening = film.flattening(&PairSpectrum::of(spectra))?;
+/// let flattening = film.flattening(&PairSpectrum::from_traces(spectra))?;
 /// let traces = AttenuatedTraces::new(spectra, &flattening);
 /// for (table, starts) in tables.iter().zip(starts) {
 ///     let window = traces.window(*starts, points)?;
@@ -189,7 +189,7 @@ impl<'a> PositionFilm<'a> {
         let conditions = conditions(rheology, contact, bulk)?;
         let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)?;
         let gap = CentralFilm::Gap.thickness(smooth.central, hertz.max_pressure)?;
-        let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
+        let numbers = MoesNumbers::from_groups(&conditions.line_groups()?)?;
         let sheared = FilmLineContact {
             line: *contact,
             film: gap,
@@ -304,7 +304,7 @@ impl PositionFilm<'_> {
 
     fn inlet(&self, traces: &PairSpectrum) -> Result<RoughInlet, LoadShareError> {
         let lay = self.settings.lay;
-        Ok(RoughInlet::of(
+        Ok(RoughInlet::new(
             traces,
             self.nabla,
             self.roughness_film(),
@@ -656,7 +656,7 @@ impl PositionFilm<'_> {
         let is_cold = unit_rise == 0.0 || self.film.heat() == FilmHeat::Isothermal;
         // Other windows at a position rub alike; the first starts from the friction of cold surfaces.
         let begun = self.before.filter(|_| !is_cold);
-        let mut spots = SpotList::of(spots);
+        let mut spots = SpotList::new(spots);
         let begin = unit_rise * begun.map_or(0.0, |[mu, _]| mu);
         let (first, slope) = self.at_rise(begin, &mut spots)?;
         if is_cold {
@@ -808,7 +808,7 @@ fn loaded_film<'a>(
     numbers: &MoesNumbers,
 ) -> Result<LoadedFilm<'a>, LoadShareError> {
     let mut film = LoadedFilm::new(rheology, contact, settings)?;
-    let LightLoad { excess, inlet } = LightLoad::of(numbers);
+    let LightLoad { excess, inlet } = LightLoad::new(numbers);
     film.reach_beyond(&excess, inlet)?;
     Ok(film)
 }

@@ -112,7 +112,7 @@ pub(crate) struct SparsePressure {
 }
 
 impl SparsePressure {
-    pub(crate) fn of(pressure: &[f64]) -> Self {
+    pub(crate) fn from_pressure(pressure: &[f64]) -> Self {
         let touching = (0u32..).zip(pressure).filter(|(_, p)| **p > 0.0);
         let (cells, pressure) = touching.unzip();
         Self { cells, pressure }
@@ -167,7 +167,7 @@ thread_local! {
 
 impl SmoothContact {
     /// The contact in the middle of `window`, whose numbers are valid; made by the thread before, if it was the last one.
-    fn of(window: &PatchWindow<'_>, solver: &mut Solver) -> Result<Arc<Self>, LoadShareError> {
+    fn new(window: &PatchWindow<'_>, solver: &mut Solver) -> Result<Arc<Self>, LoadShareError> {
         let n = window.columns;
         let (dx, w, r) = (
             window.spacings[0].si(),
@@ -260,7 +260,7 @@ impl RoughContact {
             DomainError::finite("height", Length::from_si(z))?;
         }
         let mut solver = Solver::of_patch([n, rows], Boundary::FreeEnds)?;
-        let smooth = SmoothContact::of(window, &mut solver)?;
+        let smooth = SmoothContact::new(window, &mut solver)?;
         let least = LEAST_FLOW_PRESSURE * smooth.max_hertz;
         if flow < least {
             return Err(LoadShareError::FlowPressureTooLow {
@@ -516,7 +516,7 @@ impl RoughContact {
                 LineLoad::from_si(state.asperity_share * self.load),
             )
         };
-        let sets = FixedSets::of(&problem, pressure)?;
+        let sets = FixedSets::new(&problem, pressure)?;
         let mut apart = vec![0.0; pressure.len()];
         for (i, weight) in self.core() {
             if pressure[i] == 0.0 && state.solution.gap[i] > 0.0 {

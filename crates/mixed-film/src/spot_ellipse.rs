@@ -56,7 +56,7 @@ impl SpotEllipse {
     /// F²/Q = (3 π²/16) b Y I²/J,  middle load over mean load M/I,
     /// I = 1 − v²/3,  J = ∫₀^v (1 − t²)^(3/2) dt/v,  M = ∫₀^v √(1 − t²) dt/v                   [Spot-axes]
     /// ```
-    pub(crate) fn of(spot: &Measured) -> Option<Self> {
+    pub(crate) fn from_spot(spot: &Measured) -> Option<Self> {
         cite!("Spot-axes");
         let half_lead = 0.5 * spot.lead;
         let by_spread = half_length(spot.concentration, half_lead)?;
@@ -172,7 +172,7 @@ mod tests {
     fn an_ellipse_has_its_axes_at_every_length() {
         for c in [1e-6, 10e-6, 30e-6, 49.9e-6, 50.1e-6, 60e-6, 200e-6, 3e-3] {
             for a in [2e-6, 20e-6] {
-                let found = SpotEllipse::of(&measured([a, c])).unwrap();
+                let found = SpotEllipse::from_spot(&measured([a, c])).unwrap();
                 let close = |found: f64, expected: f64| {
                     assert!(
                         (found / expected - 1.0).abs() < 1e-5,
@@ -195,7 +195,7 @@ mod tests {
         let expected = 16.0 * line.load_over_squares / (3.0 * PI * PI * 0.5 * LEAD);
         let mut before = f64::INFINITY;
         for c in [1e-4, 1e-3, 1e-2, 0.1] {
-            let found = SpotEllipse::of(&Measured {
+            let found = SpotEllipse::from_spot(&Measured {
                 concentration: measured([5e-6, c]).concentration,
                 ..line
             });
@@ -213,7 +213,7 @@ mod tests {
             concentration: 0.0,
             ..line
         };
-        assert_eq!(SpotEllipse::of(&even), None);
+        assert_eq!(SpotEllipse::from_spot(&even), None);
         assert!((2.0 * 5e-6 / expected - 1.0).abs() < 1e-9);
     }
 
@@ -227,7 +227,7 @@ mod tests {
                 load_over_squares: factor * spot.load_over_squares,
                 ..spot
             };
-            SpotEllipse::of(&spot).unwrap()
+            SpotEllipse::from_spot(&spot).unwrap()
         };
         let meeting = 3.0 / (PI * PI);
         let values = |of: SpotEllipse| [of.mean_load, of.middle_load, of.axes[0], of.axes[1]];
@@ -250,7 +250,7 @@ mod tests {
     #[test]
     fn the_mean_pressure_is_between_those_of_ellipse_and_line() {
         let mean = |c: f64| {
-            let found = SpotEllipse::of(&measured([5e-6, c])).unwrap();
+            let found = SpotEllipse::from_spot(&measured([5e-6, c])).unwrap();
             found.mean_load / found.axes[0] / PRESSURE
         };
         assert!((mean(20e-6) - 2.0 / 3.0).abs() < 1e-5);

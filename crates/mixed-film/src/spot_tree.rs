@@ -92,14 +92,14 @@ impl SpotGrid {
 
 /// The spots under the pressures of all cells \[Pa\], by the places of their peaks.
 pub(crate) fn spots_of(pressure: &[f64], grid: &SpotGrid) -> Vec<Spot> {
-    let tree = SpotTree::of(pressure, grid);
+    let tree = SpotTree::new(pressure, grid);
     tree.peaks.iter().map(|&peak| tree.spot(peak)).collect()
 }
 
 /// The spot, counted from 0 as in [`spots_of`], of each cell; `None` without pressure. A cell below the pressure at which peaks
 /// join is of the spot of its highest neighbour.
 pub(crate) fn spot_of_cells(pressure: &[f64], grid: &SpotGrid) -> Vec<Option<u32>> {
-    let tree = SpotTree::of(pressure, grid);
+    let tree = SpotTree::new(pressure, grid);
     let mut of_cell = vec![None; pressure.len()];
     for (spot, &peak) in (0..).zip(&tree.peaks) {
         for &cell in &tree.cells[tree.nodes[peak].cells.clone()] {
@@ -138,7 +138,7 @@ pub(crate) fn pressure_gradient(
 ) -> Vec<f64> {
     cite!("Spot-adjoint");
     let grid = SpotGrid::line(pressure.len(), spacing);
-    SpotTree::of(pressure, &grid).gradient(&mut by_spots)
+    SpotTree::new(pressure, &grid).gradient(&mut by_spots)
 }
 
 /// A component of the cells above a level.
@@ -180,7 +180,7 @@ impl Node {
 struct Places([f64; 5]);
 
 impl Places {
-    fn of(cell: usize, grid: &SpotGrid) -> Self {
+    fn new(cell: usize, grid: &SpotGrid) -> Self {
         let (row, column) = (cell / grid.columns, (cell % grid.columns) as f64);
         let (sine, cosine) = (TAU * row as f64 / grid.rows as f64).sin_cos();
         Self([1.0, column, column * column, cosine, sine])
@@ -245,7 +245,7 @@ struct Forest {
 
 impl Forest {
     /// All components of the cells under pressure.
-    fn of(pressure: &[f64], grid: &SpotGrid) -> Self {
+    fn new(pressure: &[f64], grid: &SpotGrid) -> Self {
         let mut cells: Vec<usize> = (0..pressure.len())
             .filter(|&cell| pressure[cell] > 0.0)
             .collect();
@@ -372,9 +372,9 @@ impl SpotTree {
     ///
     /// The sums are over the parts of the parent. A part that has just appeared carries nothing, and parts without
     /// pressure between them their own loads.
-    fn of(pressure: &[f64], grid: &SpotGrid) -> Self {
+    fn new(pressure: &[f64], grid: &SpotGrid) -> Self {
         cite!("Spot-load");
-        let Forest { next, complete, .. } = Forest::of(pressure, grid);
+        let Forest { next, complete, .. } = Forest::new(pressure, grid);
         let count = complete.len();
         let mut tree = Self {
             grid: *grid,
@@ -444,7 +444,7 @@ impl SpotTree {
                     excess[m] += (of_cell[m] - bottom[m]) * dx;
                 }
                 if is_patch {
-                    let place = Places::of(*cell, &self.grid);
+                    let place = Places::new(*cell, &self.grid);
                     places[0].add(&place, 1.0);
                     places[1].add(&place, of_cell[0] - bottom[0]);
                 }
@@ -526,7 +526,7 @@ impl SpotTree {
         let [load, squares] = node.joint();
         let lead = self.grid.spacings[1].si() * self.grid.rows as f64;
         let [variance, concentration] = node.spread.map(|sum| sum / node.sums[0]);
-        SpotEllipse::of(&Measured {
+        SpotEllipse::from_spot(&Measured {
             load_over_squares: load * load * lead / squares,
             force: load * lead,
             deviation: variance.sqrt(),

@@ -115,7 +115,7 @@ struct Contact {
 }
 
 impl Contact {
-    fn of(spot: &Spot) -> Self {
+    fn from_spot(spot: &Spot) -> Self {
         let ratio = spot.length / spot.width;
         Self {
             load: spot.joint_load.si(),
@@ -153,7 +153,7 @@ impl Contact {
 /// Φ of the ratio of the axes l/b.
 fn radius_over_line(ratio: f64) -> f64 {
     let shorter = ratio.min(1.0 / ratio);
-    let of = CompleteElliptic::of(shorter * shorter);
+    let of = CompleteElliptic::from_complement(shorter * shorter);
     match ratio >= 1.0 {
         true => 1.0 / (of.first - of.difference),
         false => 1.0 / (ratio * of.difference),
@@ -244,7 +244,7 @@ pub(crate) struct SpotList {
 
 impl SpotList {
     /// The spots of some contacts, with the weight of each contact.
-    pub(crate) fn of(contacts: &[(&[Spot], f64)]) -> Self {
+    pub(crate) fn new(contacts: &[(&[Spot], f64)]) -> Self {
         let count = contacts.iter().map(|(spots, _)| spots.len()).sum();
         let mut list = Self {
             contacts: Vec::with_capacity(count),
@@ -255,7 +255,7 @@ impl SpotList {
         };
         for (spots, weight) in contacts {
             let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
-            list.contacts.extend(spots.iter().map(Contact::of));
+            list.contacts.extend(spots.iter().map(Contact::from_spot));
             let weights = spots.iter().map(|spot| weight * spot.load.si() / total);
             list.weights.extend(weights);
         }
@@ -274,7 +274,7 @@ impl SpotConditions<'_> {
     /// # Errors
     /// When a spot has no film.
     pub(crate) fn friction(&self, spots: &[Spot]) -> Result<SpotFriction, LoadShareError> {
-        let mut spots = SpotList::of(&[(spots, 1.0)]);
+        let mut spots = SpotList::new(&[(spots, 1.0)]);
         Ok(self.friction_of(&mut spots, |points| self.shear(points))?.0)
     }
 
@@ -302,7 +302,7 @@ impl SpotConditions<'_> {
     /// # Errors
     /// When a spot has no film.
     pub(crate) fn losses(&self, spots: &[Spot], boundary: f64) -> Result<Vec<f64>, LoadShareError> {
-        let mut list = SpotList::of(&[(spots, 1.0)]);
+        let mut list = SpotList::new(&[(spots, 1.0)]);
         let mut losses = Vec::with_capacity(spots.len());
         let add = |k: usize, of_spot: &SpotFriction| {
             losses.push(spots[k].load.si() * of_spot.total(boundary) * self.sliding);
@@ -321,7 +321,7 @@ impl SpotConditions<'_> {
     /// When a spot has no film.
     pub(crate) fn limits_shear_rate(&self, spots: &[Spot]) -> Result<bool, LoadShareError> {
         let state = self.rheology.state(self.wall)?;
-        let mut list = SpotList::of(&[(spots, 1.0)]);
+        let mut list = SpotList::new(&[(spots, 1.0)]);
         self.find_films(&state, &mut list)?;
         let mut films = list.films.iter().flatten();
         Ok(films.any(|at| at.part > 0.0 && at.film < THINNEST))
@@ -345,7 +345,7 @@ impl SpotConditions<'_> {
     ) -> Result<Vec<BySpot>, LoadShareError> {
         cite!("Spot-gradient");
         let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
-        let mut list = SpotList::of(&[(spots, 1.0)]);
+        let mut list = SpotList::new(&[(spots, 1.0)]);
         let (mean, ()) = self.friction_of(&mut list, |points| self.shear(points))?;
         let mean = mean.total(boundary);
         let h = SLOPE_STEP;
@@ -377,7 +377,7 @@ impl SpotConditions<'_> {
         )?;
         let slopes = |(spot, found): (&Spot, &[SpotFriction; 5])| {
             let f = spot.load.si();
-            let Contact { load, width, .. } = Contact::of(spot);
+            let Contact { load, width, .. } = Contact::from_spot(spot);
             let [here, more, less, wider, narrower] = found.map(|of_spot| of_spot.total(boundary));
             let by_joint_load = (more - less) / load;
             let by_width = (wider - narrower) / width;

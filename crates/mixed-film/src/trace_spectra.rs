@@ -37,7 +37,7 @@ impl TraceSpectra {
     /// When a trace has fewer than two points.
     pub fn pair(&self, traces: [&Profile; 2]) -> Result<&PairSpectrum, LoadShareError> {
         self.pair
-            .get_or_make(|| Ok(PairSpectrum::of(self.of_whole(traces)?.each_ref())))
+            .get_or_make(|| Ok(PairSpectrum::from_traces(self.of_whole(traces)?.each_ref())))
     }
 
     /// Roughness of two windows of `points` points together that begin at `starts`, flattened by `flattening`;

@@ -150,7 +150,7 @@ impl WindowRoughness {
 
     /// The window of the sums of `N` flattened heights \[m\], and of the ripples of its film, which reaches `reach` points from
     /// its middle.
-    pub(crate) fn of<const N: usize>(
+    pub(crate) fn new<const N: usize>(
         heights: [&[f64]; N],
         ripples: Option<Ripples<[&[f64]; N]>>,
         reach: f64,
@@ -160,7 +160,7 @@ impl WindowRoughness {
             deviation: deviation(heights, peak_weight),
             middle: middle_height(heights, reach),
             ripple: ripples.map_or_else(Vec::new, |ripples| {
-                ripple(&AtPlaces::of(ripples, rounded(reach)))
+                ripple(&AtPlaces::new(ripples, rounded(reach)))
             }),
         }
     }
@@ -180,7 +180,7 @@ impl PatchSample {
     ///
     /// # Errors
     /// When the numbers of ripples and heights differ, or the heights are not whole rows.
-    pub fn of(
+    pub fn new(
         heights: &[f64],
         columns: usize,
         ripples: Option<Ripples<&[f64]>>,
@@ -246,7 +246,7 @@ struct AtPlaces {
 }
 
 impl AtPlaces {
-    fn of<const N: usize>(ripples: Ripples<[&[f64]; N]>, reach: usize) -> Self {
+    fn new<const N: usize>(ripples: Ripples<[&[f64]; N]>, reach: usize) -> Self {
         let sums = |of: [&[f64]; N]| -> Vec<f64> {
             let sum = |i: usize| of.iter().map(|values| values[i]).sum();
             places(of[0].len(), reach).map(sum).collect()
@@ -360,7 +360,7 @@ struct Scale {
 }
 
 impl Scale {
-    fn of(pressures: &[f64]) -> Self {
+    fn from_pressures(pressures: &[f64]) -> Self {
         let n = pressures.len() as f64;
         let mean = pressures.iter().sum::<f64>() / n;
         let squares = pressures
@@ -456,7 +456,7 @@ fn sums(at: &AtPlaces, scale: Scale) -> [[f64; 3]; PARTS] {
 /// The parts of a window that have places, in the order of their pressures.
 fn ripple(at: &AtPlaces) -> Vec<RipplePart> {
     cite!("Ripple-parts");
-    let scale = Scale::of(&at.pressures);
+    let scale = Scale::from_pressures(&at.pressures);
     if scale.deviation == 0.0 {
         return Vec::new();
     }
@@ -490,8 +490,8 @@ pub(crate) fn part_gradient(
     cite!("Ripple-gradient");
     let mut gradient = ripples.each(|of| vec![0.0; of.len()]);
     let reach = rounded(reach);
-    let at = AtPlaces::of(ripples.each(|of| [of.as_slice()]), reach);
-    let scale = Scale::of(&at.pressures);
+    let at = AtPlaces::new(ripples.each(|of| [of.as_slice()]), reach);
+    let scale = Scale::from_pressures(&at.pressures);
     if scale.deviation == 0.0 {
         return gradient;
     }
@@ -550,7 +550,7 @@ mod tests {
 
     fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
         let (pressures, heights) = ([pressures], [heights]);
-        super::ripple(&AtPlaces::of(
+        super::ripple(&AtPlaces::new(
             Ripples { pressures, heights },
             rounded(REACH),
         ))
@@ -595,7 +595,7 @@ mod tests {
         let expected = moment(&ripple(&line, &pressures));
         // 192 rows had all of their places in one column.
         for rows in [4, 64, 192, 256] {
-            let patch = PatchSample::of(
+            let patch = PatchSample::new(
                 &line.repeat(rows),
                 603,
                 Some(Ripples {

@@ -165,9 +165,9 @@ impl From<LubricantError> for Fault {
         match error {
             LubricantError::Fault(fault) => fault,
             error @ LubricantError::ImplausiblePressureViscosity { .. } => {
-                Self::of(Code::E207, error)
+                Self::from_cause(Code::E207, error)
             }
-            error @ LubricantError::Domain(_) => Self::of(Code::E208, error),
+            error @ LubricantError::Domain(_) => Self::from_cause(Code::E208, error),
         }
     }
 }

@@ -426,7 +426,7 @@ impl Lubricant {
         &self,
         base_oil: BaseOil,
     ) -> Result<TractionConstants, LubricantError> {
-        let of_family = TractionConstants::of(base_oil)?;
+        let of_family = TractionConstants::from_family(base_oil)?;
         Ok(TractionConstants {
             conductivity: self.thermal_conductivity.unwrap_or(of_family.conductivity),
             pressure_viscosity_factor: self

@@ -167,7 +167,7 @@ impl FilmRheology {
         let nu = lubricant.at(GOLD_TEMPERATURE)?.value.kinematic_viscosity;
         // At 80 °C thin oils lie below the fitted range of the formula; film friction was calibrated with these values.
         let alpha = gold_pressure_viscosity(base_oil, nu)?.value;
-        let constants = TractionConstants::of(base_oil)?;
+        let constants = TractionConstants::from_family(base_oil)?;
         Self::with_alpha(lubricant, constants, alpha, GOLD_TEMPERATURE)
     }
 
@@ -176,7 +176,7 @@ impl FilmRheology {
     ///
     /// # Errors
     /// As [`new`](Self::new) and [`with_alpha`](Self::with_alpha).
-    pub fn of(
+    pub fn from_lubricant(
         lubricant: &Lubricant,
         base_oil: BaseOil,
         constants: TractionConstants,
@@ -203,7 +203,7 @@ impl FilmRheology {
         constants.validate()?;
         let alpha_reference = DomainError::positive("pressure-viscosity", alpha)?;
         let t = DomainError::positive("temperature of alpha", alpha_temperature)?;
-        let viscosity = ViscosityTable::of(lubricant)?;
+        let viscosity = ViscosityTable::from_lubricant(lubricant)?;
         let [log_reference, _] = viscosity.at(t);
         let log = log_reference + ROELANDS_LOG;
         DomainError::require(

@@ -107,7 +107,7 @@ impl TractionConstants {
     ///
     /// # Errors
     /// As [`BaseOil::data`].
-    pub fn of(family: BaseOil) -> Result<Self, LubricantError> {
+    pub fn from_family(family: BaseOil) -> Result<Self, LubricantError> {
         let data = family.data()?;
         Ok(Self {
             limiting_shear: data.limiting_shear.value,

@@ -59,7 +59,7 @@ impl ViscosityTable {
     }
 
     /// The table of a lubricant. The last one is cached: cases of a study mostly have one oil.
-    pub(crate) fn of(lubricant: &Lubricant) -> Result<Arc<Self>, LubricantError> {
+    pub(crate) fn from_lubricant(lubricant: &Lubricant) -> Result<Arc<Self>, LubricantError> {
         static LAST: Mutex<Option<(ViscosityKey, Arc<ViscosityTable>)>> = Mutex::new(None);
         let key = lubricant.viscosity_key();
         let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
@@ -114,7 +114,7 @@ mod tests {
             ..LubricantInput::default()
         };
         let oil = oil.resolve("90 °C".parse().unwrap()).unwrap();
-        let table = ViscosityTable::of(&oil).unwrap();
+        let table = ViscosityTable::from_lubricant(&oil).unwrap();
         for (celsius, tolerance) in [(-20.13, 1e-9), (0.2, 1e-9), (90.37, 1e-11), (180.11, 1e-11)] {
             let t = Temperature::from_celsius(celsius);
             let state = oil.at(t).unwrap().value;

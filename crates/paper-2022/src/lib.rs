@@ -130,7 +130,7 @@ impl Formulation for Paper {
     }
 
     fn regime(&self, _: f64, film_ratio: f64) -> Result<FilmRegime, PositionError> {
-        let regime = Regime::of(film_ratio)?;
+        let regime = Regime::from_lambda_star(film_ratio)?;
         Ok(FilmRegime {
             regime,
             is_full: regime == Regime::FullFilm,

@@ -91,7 +91,7 @@ fn solve(
     };
     let mut solver = match last.filter(fits) {
         Some(last) => last,
-        None => Solver::of(problem)?,
+        None => Solver::from_problem(problem)?,
     };
     let solution = solver.solve(problem, settings)?;
     if points <= MOST_STORED

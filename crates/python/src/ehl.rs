@@ -60,7 +60,7 @@ pub fn ehl<'py>(
             inlet: Inlet::ByLoad,
         };
         let loaded = &Run::new(loaded).operating_case()?;
-        let contact = ReferenceContact::of(loaded, place, &settings)?;
+        let contact = ReferenceContact::new(loaded, place, &settings)?;
         // Thousandths of a half-width, of all records together.
         let travelled: Vec<AtomicU64> = (0..asked.records.max(1))
             .map(|_| AtomicU64::new(0))

@@ -135,7 +135,7 @@ impl FilmFriction for PythonLaw {
 
     fn traction(&self, contact: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
         let found = self.tractions(std::slice::from_ref(contact))?.pop();
-        Ok(found.unwrap_or_else(|| Checked::inside(FilmTraction::of(f64::NAN))))
+        Ok(found.unwrap_or_else(|| Checked::inside(FilmTraction::from_coefficient(f64::NAN))))
     }
 
     fn tractions(
@@ -144,7 +144,7 @@ impl FilmFriction for PythonLaw {
     ) -> Result<Vec<Checked<FilmTraction>>, FrictionError> {
         let all: Vec<&FilmContact<'_>> = contacts.iter().collect();
         let [found] = self.answer(of_contacts(&all), ["coefficient"], contacts.len())?;
-        let traction = |mu| Checked::inside(FilmTraction::of(mu));
+        let traction = |mu| Checked::inside(FilmTraction::from_coefficient(mu));
         Ok(found.into_iter().map(traction).collect())
     }
 }

@@ -178,7 +178,7 @@ fn unknown(function: &str) -> Failure {
 }
 
 fn described<S: StudySettings>() -> Described {
-    Described::of::<S>()
+    Described::new::<S>()
 }
 
 /// The studies with their settings.

@@ -394,7 +394,7 @@ impl Trace {
             let length = cutoff.map(Length::from_si).or(self.cutoff);
             let found = match (sections, length) {
                 (Some(count), _) => Parameters::with_sections(&self.profile, mode, count)?,
-                (None, Some(length)) => Parameters::of(&self.profile, mode, length)?,
+                (None, Some(length)) => Parameters::from_profile(&self.profile, mode, length)?,
                 (None, None) => Parameters::with_sections(&self.profile, mode, SECTIONS)?,
             };
             failure::json(&json!({
@@ -574,7 +574,7 @@ pub fn generate_like(
             }
         };
         let made = like.generate(wanted.seed)?;
-        let recipe = made.recipe.map(Surface::Fitted).map(Recipe::of);
+        let recipe = made.recipe.map(Surface::Fitted).map(Recipe::from_surface);
         let warnings: Vec<Value> = like.warnings.iter().map(of_roughness).collect();
         let about = json!({
             "recipe": recipe, "method": made.method, "pieces": made.pieces,

@@ -21,7 +21,7 @@ impl FilmFriction for TwoTerms {
     fn traction(&self, at: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
         let width = 2.0 * at.half_width.si();
         let coefficient = 0.02 + 1e6 * width / at.position.load.si();
-        Ok(Checked::inside(FilmTraction::of(coefficient)))
+        Ok(Checked::inside(FilmTraction::from_coefficient(coefficient)))
     }
 }
 

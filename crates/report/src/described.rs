@@ -146,7 +146,7 @@ pub struct Described {
 impl Described {
     /// Description of the study `S`.
     #[must_use]
-    pub fn of<S: StudySettings>() -> Self {
+    pub fn new<S: StudySettings>() -> Self {
         Self {
             command: S::COMMAND,
             function: S::FUNCTION,

@@ -83,12 +83,12 @@ pub(crate) fn no_fields(number: usize, place: Option<&Path>) -> Fault {
 
 /// A trace cannot be prepared.
 pub(crate) fn of_flank(error: RoughnessError) -> Fault {
-    Fault::of(Code::E401, error)
+    Fault::from_cause(Code::E401, error)
 }
 
 /// A value cannot be written as JSON.
 pub fn of_json(error: serde_json::Error) -> Fault {
-    Fault::of(Code::E401, error).about("result.json")
+    Fault::from_cause(Code::E401, error).about("result.json")
 }
 
 /// Error of the system at `path`.
@@ -102,7 +102,7 @@ pub(crate) fn unwritten(path: &Path) -> impl Fn(Unwritten) -> Fault {
     let path = path.to_owned();
     move |reason| match reason {
         Unwritten::NotFinite(source) => not_finite(&path)(source),
-        reason => Fault::of(Code::E401, reason).about(path.display()),
+        reason => Fault::from_cause(Code::E401, reason).about(path.display()),
     }
 }
 
@@ -111,7 +111,7 @@ pub(crate) fn not_json(path: &Path) -> impl Fn(NotJson) -> Fault {
     let path = path.to_owned();
     move |reason| match reason {
         NotJson::NotFinite(source) => not_finite(&path)(source),
-        NotJson::Other(source) => Fault::of(Code::E401, source).about(path.display()),
+        NotJson::Other(source) => Fault::from_cause(Code::E401, source).about(path.display()),
     }
 }
 
@@ -119,7 +119,7 @@ pub(crate) fn not_json(path: &Path) -> impl Fn(NotJson) -> Fault {
 pub(crate) fn not_finite(path: &Path) -> impl Fn(NotFinite) -> Fault {
     let path = path.to_owned();
     move |source| {
-        let fault = Fault::of(Code::E501, source).about("not written");
+        let fault = Fault::from_cause(Code::E501, source).about("not written");
         fault.about(path.display())
     }
 }

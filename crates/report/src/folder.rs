@@ -119,7 +119,7 @@ pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), Faul
 }
 
 pub(crate) fn fill(outcome: &MeshOutcome, folder: &Path, fields: &Fields) -> Result<(), Fault> {
-    let whole = PageTables::of(outcome, None)?;
+    let whole = PageTables::new(outcome, None)?;
     for (name, text) in texts_of(outcome, &whole)? {
         write_bytes(&folder.join(name), &text)?;
     }
@@ -134,7 +134,7 @@ pub(crate) type FileText = (&'static str, Vec<u8>);
 
 /// The files of the folder of a mesh without fields, in memory.
 pub(crate) fn texts_of_mesh(outcome: &MeshOutcome) -> Result<Vec<FileText>, Fault> {
-    texts_of(outcome, &PageTables::of(outcome, None)?)
+    texts_of(outcome, &PageTables::new(outcome, None)?)
 }
 
 fn texts_of(outcome: &MeshOutcome, whole: &PageTables) -> Result<Vec<FileText>, Fault> {

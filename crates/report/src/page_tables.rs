@@ -63,7 +63,7 @@ impl PageTables {
     ///
     /// # Errors
     /// When the position does not exist or has no fields, or a trace cannot be prepared.
-    pub fn of(outcome: &MeshOutcome, position: Option<usize>) -> Result<Self, Fault> {
+    pub fn new(outcome: &MeshOutcome, position: Option<usize>) -> Result<Self, Fault> {
         let flank = |body: usize| {
             let record = &outcome.result.flanks[body];
             FlankTables::shown(record, outcome.traces[body].as_ref())

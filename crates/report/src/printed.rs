@@ -31,7 +31,7 @@ pub(crate) struct PrintedPart {
 
 impl PrintedLoss {
     /// The loss and its parts with the digits that the interval leaves; three or four digits without uncertainty.
-    pub(crate) fn of(s: &Summary, uncertainty: Option<&Uncertainty>) -> Self {
+    pub(crate) fn new(s: &Summary, uncertainty: Option<&Uncertainty>) -> Self {
         let powers = Powers {
             digits: uncertainty.map_or_else(|| Digits::of_power(s.loss_w), Uncertainty::digits),
             is_banded: uncertainty.is_some(),
@@ -91,7 +91,7 @@ fn sum_of(shares: &[String]) -> Option<String> {
 /// Parts of the loss of a mesh: name, watts and text, which add up to the printed loss.
 pub fn parts_of(result: &RunResult) -> impl Iterator<Item = (&'static str, f64, String)> {
     let uncertainty = result.uncertainty.as_ref();
-    let printed = PrintedLoss::of(&result.summary, uncertainty);
+    let printed = PrintedLoss::new(&result.summary, uncertainty);
     let parts = printed.parts.into_iter();
     parts.map(|part| (part.name, part.watts, part.text))
 }
@@ -122,7 +122,7 @@ pub(crate) fn of_mesh(result: &RunResult) -> [String; 2] {
     match &result.uncertainty {
         Some(uncertainty) => with_interval(uncertainty.loss.drawn(), s.power_in_w, UNITS),
         None => [
-            PrintedLoss::of(s, None).loss,
+            PrintedLoss::new(s, None).loss,
             format!("{:.4} %", 100.0 * s.efficiency),
         ],
     }

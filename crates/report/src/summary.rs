@@ -179,7 +179,7 @@ fn line(text: &str, indent: &str, columns: usize) -> String {
 fn verdict(result: &RunResult, columns: usize) -> Vec<(Part, String)> {
     let of_mesh = result.uncertainty.as_ref();
     let head = line(&one_line(&result.title), INDENT, columns) + &headline(result) + "\n";
-    let printed = PrintedLoss::of(&result.summary, of_mesh);
+    let printed = PrintedLoss::new(&result.summary, of_mesh);
     let gearbox = result.gearbox.as_ref();
     let gearbox = gearbox.map(|gearbox| gearbox_headline(gearbox, of_mesh));
     let regime = format!("regime  {}", regime(&result.summary));

@@ -39,7 +39,7 @@ pub enum TileKind {
 
 impl Tile {
     /// A name with its value.
-    pub(crate) fn of([name, value]: [String; 2]) -> Self {
+    pub(crate) fn new([name, value]: [String; 2]) -> Self {
         Self {
             name,
             value,
@@ -61,7 +61,7 @@ impl Tile {
 #[must_use]
 pub fn tiles(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
-    let printed = PrintedLoss::of(s, result.uncertainty.as_ref());
+    let printed = PrintedLoss::new(s, result.uncertainty.as_ref());
     let [loss, efficiency] = of_mesh(result);
     let interval = match &result.uncertainty {
         Some(_) => "median, in brackets 5 to 95 %",
@@ -69,7 +69,7 @@ pub fn tiles(result: &RunResult) -> Vec<Tile> {
     };
     let tile = |name: &str, value, note: String| Tile {
         note,
-        ..Tile::of([name.to_owned(), value])
+        ..Tile::new([name.to_owned(), value])
     };
     let mut tiles = vec![
         Tile {
@@ -110,7 +110,7 @@ fn lubrication(s: &Summary) -> Tile {
             "{:.0} % of the load on the boundary layer",
             100.0 * s.boundary_share
         ),
-        ..Tile::of(["lubrication".to_owned(), regime(s)])
+        ..Tile::new(["lubrication".to_owned(), regime(s)])
     }
 }
 

@@ -111,7 +111,7 @@ fn named_values(result: &Whole) -> Vec<[String; 2]> {
 
 /// The headline of a gear train: loss and efficiency, then the losses of meshes, other parts, and their kinds.
 pub(crate) fn tiles(result: &Whole) -> Vec<Tile> {
-    let mut tiles: Vec<Tile> = named_values(result).into_iter().map(Tile::of).collect();
+    let mut tiles: Vec<Tile> = named_values(result).into_iter().map(Tile::new).collect();
     tiles[LOSS].kind = TileKind::Loss;
     if result.loss_distribution.is_some() {
         tiles[0].note = "median, in brackets 5 to 95 %".to_owned();

@@ -246,7 +246,7 @@ fn the_thinned_tables_of_a_contact_keep_the_extremes_of_the_fields() {
     for case in ["e-drive.toml", "table2.toml"] {
         let place = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
         let outcome = outcome(&place.join(case));
-        let tables = PageTables::of(&outcome, None).unwrap();
+        let tables = PageTables::new(&outcome, None).unwrap();
         let whole = tables.contact.as_ref().unwrap();
         let fields = &outcome.fields[whole.position - 1];
         let below = fields.subsurface.as_ref().unwrap();

@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let pinion = flank(1, "0.4 um")?;
     let wheel = flank(2, "0.3 um")?;
     let rq = |name: &str, profile: &Profile| -> Result<Length, Box<dyn Error>> {
-        let found = Parameters::of(profile, Mode::Iso4287, "0.25 mm".parse()?)?;
+        let found = Parameters::from_profile(profile, Mode::Iso4287, "0.25 mm".parse()?)?;
         let (heights, material) = (&found.heights, &found.material);
         println!(
             "{name:<10} Ra {:.3}  Rq {:.3}  Rz {:.3}  Rk {:.3}  Rpk {:.3}",

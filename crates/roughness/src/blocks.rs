@@ -22,7 +22,7 @@ pub(crate) struct Blocks {
 
 impl Blocks {
     /// Block sizes for `n` points and a kernel that extends `m` points to either side.
-    pub(crate) fn of(n: usize, m: usize) -> Self {
+    pub(crate) fn new(n: usize, m: usize) -> Self {
         let whole = good_fft_length(n + m);
         let block = good_fft_length((REACHES * m).min(LONG.max(FEW_REACHES * m)).max(SHORTEST));
         if whole <= block {

@@ -117,6 +117,6 @@ impl From<RoughnessError> for Fault {
             RoughnessError::Cancelled(_) => Code::E502,
             _ => Code::E120,
         };
-        Self::of(code, error)
+        Self::from_cause(code, error)
     }
 }

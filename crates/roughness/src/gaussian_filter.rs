@@ -268,7 +268,7 @@ fn convolve_above(z: &[f64], offset: f64, w: &[f64]) -> Vec<f64> {
         summed(&above(z), w, &mut out);
         return out;
     }
-    let blocks = Blocks::of(n, m);
+    let blocks = Blocks::new(n, m);
     let mut product = SymmetricToeplitz::new(w, blocks.length - m);
     let mut piece = vec![0.0; product.size()];
     // The product pads its input by m zeros, which a block in the middle does not need.

@@ -242,7 +242,7 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
 /// X = (1/n) Σ Xᵢ over the sampling lengths; Rp = ⟨max z⟩, Rv = ⟨−min z⟩, Rz = Rp + Rv   [Height-2]
 fn per_section(parts: &[&[f64]], dx: f64) -> Raw {
     cite!("Height-2");
-    let each: Vec<Section> = parts.iter().map(|part| Section::of(part, dx)).collect();
+    let each: Vec<Section> = parts.iter().map(|part| Section::new(part, dx)).collect();
     let average = |value: fn(&Section) -> f64| mean(each.iter().map(value)).unwrap_or_default();
     let shapes = || each.iter().filter_map(|section| section.moments.shape);
     let shape = mean(shapes().map(|s| s.0)).zip(mean(shapes().map(|s| s.1)));
@@ -274,7 +274,7 @@ struct Section {
 }
 
 impl Section {
-    fn of(z: &[f64], dx: f64) -> Self {
+    fn new(z: &[f64], dx: f64) -> Self {
         let (low, high) = extremes(z);
         let threshold = DISCRIMINATION * (high - low);
         Self {

@@ -10,7 +10,7 @@
 //! let heights = (0..12_000).map(|i| 1e-6 * (0.063 * f64::from(i)).sin()).collect();
 //! let flank = Profile::new(Length::from_si(0.5e-6), heights)?;
 //! let prepared = prepare(&flank, &Preparation::default())?;
-//! let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, "0.8 mm".parse()?)?;
+//! let parameters = Parameters::from_profile(&prepared.profile, Mode::Iso4287, "0.8 mm".parse()?)?;
 //! assert!((parameters.heights.ra.si() / 0.6366e-6 - 1.0).abs() < 0.01);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -54,7 +54,7 @@ impl LocalParabolas {
     /// For traces of `n` points and `weights` s₀ .. s_m of one side, m < n.
     pub(crate) fn new(n: usize, weights: &[f64]) -> Self {
         let m = weights.len() - 1;
-        let Blocks { length, step } = Blocks::of(n, m);
+        let Blocks { length, step } = Blocks::new(n, m);
         let (forward, inverse) = real_transforms(length);
         let scratch = forward.get_scratch_len().max(inverse.get_scratch_len());
         let spectrum = forward.make_output_vec();

@@ -23,7 +23,7 @@ use crate::material_ratio::{curve, cut};
 /// use asperity_roughness::material_levels::MaterialLevels;
 /// // A triangular profile from −1 um to 1 um has a straight curve.
 /// let heights: Vec<f64> = (0..2000).map(|i| (f64::from(i) - 999.5) * 1e-9).collect();
-/// let levels = MaterialLevels::of(&heights)?;
+/// let levels = MaterialLevels::from_heights(&heights)?;
 /// assert!((levels.ratio(Length::from_si(0.5e-6)) - 25.0).abs() < 1e-9);
 /// assert!((levels.difference(5.0, 75.0)?.si() - 1.4e-6).abs() < 1e-15);
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
@@ -39,7 +39,7 @@ impl MaterialLevels {
     ///
     /// # Errors
     /// When there are fewer than ten heights, or one is not finite.
-    pub fn of(heights: &[f64]) -> Result<Self, RoughnessError> {
+    pub fn from_heights(heights: &[f64]) -> Result<Self, RoughnessError> {
         Ok(Self {
             curve: curve(heights)?,
         })

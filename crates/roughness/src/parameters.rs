@@ -42,11 +42,15 @@ impl Parameters {
     /// use asperity_roughness::{Parameters, height_parameters::Mode};
     /// let wave = |i: usize| 1e-6 * (i as f64 / 100.0 * std::f64::consts::TAU).sin();
     /// let profile = Profile::new(Length::from_si(0.8e-6), (0..5000).map(wave).collect())?;
-    /// let parameters = Parameters::of(&profile, Mode::Iso4287, "0.8 mm".parse()?)?;
+    /// let parameters = Parameters::from_profile(&profile, Mode::Iso4287, "0.8 mm".parse()?)?;
     /// assert!((parameters.material.rk.si() / 1.7747e-6 - 1.0).abs() < 0.01);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(profile: &Profile, mode: Mode, lambda_c: Length) -> Result<Self, RoughnessError> {
+    pub fn from_profile(
+        profile: &Profile,
+        mode: Mode,
+        lambda_c: Length,
+    ) -> Result<Self, RoughnessError> {
         let mut parameters = Self::with_sections(profile, mode, sections_in(profile, lambda_c)?)?;
         parameters.lambda_c = lambda_c;
         if parameters.heights.sections < NORMAL_SECTIONS {

@@ -261,7 +261,8 @@ fn preparing_drops_half_a_cutoff_and_says_what_was_done() {
     assert_eq!((prepared.first_index, prepared.profile.len()), (800, 9600));
     assert_eq!(prepared.record.dropped_each_end, 800);
     assert_eq!(prepared.warnings, []);
-    let found = Parameters::of(&prepared.profile, Mode::Iso4287, Length::from_si(0.8e-3)).unwrap();
+    let found = Parameters::from_profile(&prepared.profile, Mode::Iso4287, Length::from_si(0.8e-3))
+        .unwrap();
     assert_eq!(found.heights.sections, 6);
     // λ_c leaves 1 − a(50 um) = 1 of the wave, λ_s = 2.5 um takes 1 − a = 0.17 %.
     let passed = transmission(Length::from_si(50e-6), Length::from_si(2.5e-6)).unwrap();

@@ -58,7 +58,7 @@ fn of(z: &[f64]) -> [f64; 20] {
         .map(|row| {
             let profile = Profile::new(SPACINGS[0], row.to_vec()).unwrap();
             let rough = prepare(&profile, &recipe).unwrap().profile;
-            let found = Parameters::of(&rough, Mode::Iso4287, LAMBDA_C).unwrap();
+            let found = Parameters::from_profile(&rough, Mode::Iso4287, LAMBDA_C).unwrap();
             let (h, m) = (&found.heights, &found.material);
             [
                 h.ra.si(),

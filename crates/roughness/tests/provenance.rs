@@ -44,7 +44,9 @@ fn preparing_names_the_fit_and_the_filter_that_ran() {
 #[test]
 fn parameters_name_the_standard_they_follow() {
     let profile = prepare(&wave(), &Preparation::default()).unwrap().profile;
-    let of = |mode| tags(|| drop(Parameters::of(&profile, mode, Length::from_si(0.8e-3)).unwrap()));
+    let of = |mode| {
+        tags(|| drop(Parameters::from_profile(&profile, mode, Length::from_si(0.8e-3)).unwrap()))
+    };
     let common = [
         "Height-1",
         "Moment-1",

@@ -235,7 +235,9 @@ fn plateau_honed_profiles_have_the_heights_of_both_processes() {
         fine,
         depth: length(0.5e-6),
     };
-    let found = Recipe::of(Surface::PlateauHoned(honed)).generate().unwrap();
+    let found = Recipe::from_surface(Surface::PlateauHoned(honed))
+        .generate()
+        .unwrap();
     let (a, b) = (coarse.generate().unwrap(), fine.generate().unwrap());
     let pairs = a.heights().iter().zip(b.heights());
     let least: Vec<f64> = pairs.map(|(a, b)| a.min(b - 0.5e-6)).collect();
@@ -284,7 +286,7 @@ fn a_recipe_reads_from_text_and_returns_what_it_achieved() {
     let Generated {
         profile, achieved, ..
     } = recipe.generate().unwrap();
-    assert_eq!(achieved, Achieved::of(&profile));
+    assert_eq!(achieved, Achieved::from_profile(&profile));
     assert!(achieved.rt.si() > 3e-6 && achieved.rsk.unwrap() < -1.0);
     assert_eq!(recipe.generate().unwrap().profile, profile);
 }
@@ -308,8 +310,8 @@ fn ground_surrogates_are_superfinished_ones_with_grooves() {
         let (ground, fine) = (of(Finish::Ground), of(Finish::Superfinished));
         let grooves = ground.heights().iter().zip(fine.heights());
         let grooves = grooves.map(|(z, background)| z - background).collect();
-        let grooves = Achieved::of(&Profile::new(ground.spacing(), grooves).unwrap());
-        let ratio = grooves.rq / Achieved::of(&fine).rq;
+        let grooves = Achieved::from_profile(&Profile::new(ground.spacing(), grooves).unwrap());
+        let ratio = grooves.rq / Achieved::from_profile(&fine).rq;
         // The filter takes its part of both.
         assert!(ratio > 0.4 && ratio < 4.0, "{ratio}");
         // Cusps stand up between the grooves.

@@ -86,7 +86,7 @@ fn material_ratios_and_levels_of_a_sine_have_closed_forms() {
     let sine: Vec<f64> = (0..n)
         .map(|i| amplitude * (TAU * (f64::from(i) + 0.3) / f64::from(n)).sin())
         .collect();
-    let levels = MaterialLevels::of(&sine).unwrap();
+    let levels = MaterialLevels::from_heights(&sine).unwrap();
     for share in [-0.9, -0.5, 0.0, 0.3, 0.8] {
         let exact = 100.0 * f64::acos(share) / PI;
         let found = levels.ratio(Length::from_si(share * amplitude));
@@ -145,7 +145,8 @@ fn rk_of_quantised_heights_is_that_of_the_heights() {
             "{share}"
         );
         let level = Length::from_si(0.7 * rq);
-        let [a, b] = [&heights, &rounded].map(|z| MaterialLevels::of(z).unwrap().ratio(level));
+        let [a, b] =
+            [&heights, &rounded].map(|z| MaterialLevels::from_heights(z).unwrap().ratio(level));
         assert!((a - b).abs() < 1.0, "{share}: {a} {b}");
     }
 }
@@ -215,7 +216,7 @@ fn parameters_in_another_mode_are_those_worked_anew() {
     let rough = profile(0.5e-6, 9000, |x| {
         1e-6 * (TAU * x / 70e-6).sin() + 3e-7 * (TAU * x / 9e-6).sin()
     });
-    let of = |mode| Parameters::of(&rough, mode, Length::from_si(0.8e-3)).unwrap();
+    let of = |mode| Parameters::from_profile(&rough, mode, Length::from_si(0.8e-3)).unwrap();
     let found = of(Mode::Iso4287).in_mode(&rough, Mode::Iso21920).unwrap();
     assert_eq!(found, of(Mode::Iso21920));
     assert_ne!(found, of(Mode::Iso4287));

@@ -98,7 +98,7 @@ pub fn estimate<'a>(
 ) -> Result<Cost, Error> {
     let mut meshes = meshes.into_iter();
     meshes.try_fold(Cost::default(), |sum, mesh| {
-        Ok(sum.and(Work::of(mesh)?.estimate(mesh, kept, 1.0)))
+        Ok(sum.and(Work::new(mesh)?.estimate(mesh, kept, 1.0)))
     })
 }
 
@@ -118,7 +118,7 @@ pub fn measured<'a>(
 }
 
 fn measured_mesh(loaded: &LoadedCase, kept: &Kept) -> Result<Cost, Error> {
-    let work = Work::of(loaded)?;
+    let work = Work::new(loaded)?;
     if work.contacts == 0 || has_records(loaded) {
         return Ok(work.estimate(loaded, kept, 1.0));
     }
@@ -144,7 +144,7 @@ fn measured_mesh(loaded: &LoadedCase, kept: &Kept) -> Result<Cost, Error> {
         };
         // Where the system gives no thread the estimate is of what the threads do.
         on_threads(1, run).unwrap_or_else(|_| run())?;
-        let modelled = Work::of(&few)?.of_contacts;
+        let modelled = Work::new(&few)?.of_contacts;
         Ok([begin.elapsed().as_secs_f64(), modelled])
     };
     // The difference between two numbers of offsets excludes the time spent once per position.
@@ -191,13 +191,13 @@ struct Work {
 }
 
 impl Work {
-    fn of(loaded: &LoadedCase) -> Result<Self, Error> {
+    fn new(loaded: &LoadedCase) -> Result<Self, Error> {
         Self::counted(loaded).map_err(|error| Error::Whole(Box::new(error)))
     }
 
     fn counted(loaded: &LoadedCase) -> Result<Self, PositionError> {
         let model = &loaded.case.model;
-        let stations = Mesh::of(&loaded.case)?.positions;
+        let stations = Mesh::new(&loaded.case)?.positions;
         let positions = stations.len();
         let traces = loaded.all_traces().into_iter();
         let traced: usize = traces

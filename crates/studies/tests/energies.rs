@@ -81,7 +81,7 @@ fn quantiles_of_an_energy_from_nine_nodes_are_those_of_draws_at_every_point() {
             *sum += loss * point.weight_s / 3600.0;
         }
     }
-    let direct = Quantiles::of(&direct);
+    let direct = Quantiles::from_draws(&direct);
     let finish = &result.finishes[0];
     let [low, high] = finish.lost_drawn_wh().unwrap().ends();
     let found = [low, finish.lost_drawn_wh().unwrap().value, high];
@@ -135,7 +135,7 @@ fn columns_of_a_sweep_hold_the_quantiles_of_runs() {
             r#"{{ "axis": [{{ "key": "operation.bulk_temperature", "values": ["90 °C", "60 °C"] }}], "detail": "{detail}",
             "columns": ["loss_w", "loss_p05_w", "loss_p95_w"] }}"#
         );
-        let cases = Cases::of(Study::of_case(case.clone(), &text, ".".as_ref()).unwrap()).unwrap();
+        let cases = Cases::new(Study::of_case(case.clone(), &text, ".".as_ref()).unwrap()).unwrap();
         let rows = cases.rows(0..2).unwrap();
         let numbers = |row: &[String]| {
             let of = |k: usize| row[k].parse::<f64>().unwrap();

@@ -307,7 +307,7 @@ fn a_sweep_of_a_train_has_the_numbers_of_its_runs() {
         "columns": ["loss_w", "efficiency", "film_w", "loss_p95_w", "mesh.first.loss_w", "mesh.second.loss_w",
             "mesh.first.loss_at_medians_w", "mesh.second.loss_at_medians_w"]
     }"#;
-    let cases = Cases::of(Study::of_case(case.clone(), study, Path::new(".")).unwrap()).unwrap();
+    let cases = Cases::new(Study::of_case(case.clone(), study, Path::new(".")).unwrap()).unwrap();
     let rows = cases.rows(0..cases.count()).unwrap();
     assert_eq!(rows.len(), 4);
     let ids: std::collections::BTreeSet<&String> = rows.iter().map(|row| &row[1]).collect();
@@ -343,7 +343,7 @@ fn a_sweep_of_a_train_has_the_numbers_of_its_runs() {
     let study = r#"{ "axis": [{ "key": "mesh.second.gears.face_width", "values": ["50 mm"] },
             { "key": "operation.speed", "values": ["3000 1/min"] }],
         "columns": ["mesh.first.loss_at_medians_w"] }"#;
-    let cases = Cases::of(Study::of_case(case, study, Path::new(".")).unwrap()).unwrap();
+    let cases = Cases::new(Study::of_case(case, study, Path::new(".")).unwrap()).unwrap();
     let median: f64 = cases.rows(0..1).unwrap()[0][4].parse().unwrap();
     let expected = of_run.meshes[0].loss_at_medians_w.unwrap();
     assert!(
@@ -359,7 +359,7 @@ fn a_sweep_of_a_train_takes_its_losses_passed_on_and_names_what_it_refuses() {
         r#"{ "axis": [{ "key": "mesh.first.gears.module", "values": ["1.8 mm", "9 mm"] }] }"#;
     let case = train(TWO_STAGES, &keys);
     let lost = run(&case, false).loss_w;
-    let cases = Cases::of(Study::of_case(case, study, Path::new(".")).unwrap()).unwrap();
+    let cases = Cases::new(Study::of_case(case, study, Path::new(".")).unwrap()).unwrap();
     let header = cases.header();
     assert_eq!(header.last().unwrap(), "code");
     assert!(
@@ -374,7 +374,7 @@ fn a_sweep_of_a_train_takes_its_losses_passed_on_and_names_what_it_refuses() {
     assert!(rows[1].iter().all(|cell| cell != "NaN"), "{rows:?}");
     let unknown = r#"{ "axis": [{ "key": "mesh.third.gears.module", "values": ["1.8 mm"] }] }"#;
     let case = train(TWO_STAGES, &[]);
-    let cases = Cases::of(Study::of_case(case, unknown, Path::new(".")).unwrap()).unwrap();
+    let cases = Cases::new(Study::of_case(case, unknown, Path::new(".")).unwrap()).unwrap();
     let row = &cases.rows(0..1).unwrap()[0];
     assert!(row.last().unwrap().starts_with("E2"), "{row:?}");
 }

@@ -40,6 +40,6 @@ impl FrictionError {
 /// The oil has no state or no shear stress at a temperature of the film.
 impl From<LubricantError> for FrictionError {
     fn from(error: LubricantError) -> Self {
-        Fault::of(Code::E209, error).into()
+        Fault::from_cause(Code::E209, error).into()
     }
 }

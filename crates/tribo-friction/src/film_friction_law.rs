@@ -54,7 +54,7 @@ pub struct FilmTraction {
 impl FilmTraction {
     /// A coefficient of a law that computes no temperatures.
     #[must_use]
-    pub const fn of(coefficient: f64) -> Self {
+    pub const fn from_coefficient(coefficient: f64) -> Self {
         Self {
             coefficient,
             surface_rise: None,
@@ -89,7 +89,7 @@ impl FilmTraction {
 ///     }
 ///
 ///     fn traction(&self, _: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
-///         Ok(Checked::inside(FilmTraction::of(0.04)))
+///         Ok(Checked::inside(FilmTraction::from_coefficient(0.04)))
 ///     }
 /// }
 ///
@@ -134,6 +134,6 @@ impl FilmFriction for NamedFriction {
 
     fn traction(&self, contact: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
         let coefficient = self.law.coefficient(&self.settings, &contact.position)?;
-        Ok(coefficient.map(FilmTraction::of))
+        Ok(coefficient.map(FilmTraction::from_coefficient))
     }
 }

@@ -127,7 +127,7 @@ fn surface_rise_per_friction(
     cite!("Point-surface-heat");
     let (long, short) = (a.max(b), a.min(b));
     let square = (short / long) * (short / long);
-    let at_rest = PI * long / (AT_REST * CompleteElliptic::of(square).first);
+    let at_rest = PI * long / (AT_REST * CompleteElliptic::from_complement(square).first);
     let fast = b * (2.0 * a).sqrt() / (MIDDLE_STRIP * STRIPS * MEAN_FLASH);
     let mut conductance = 0.0;
     for (u, body) in speeds.iter().zip(&contact.bodies) {

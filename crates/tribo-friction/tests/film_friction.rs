@@ -74,7 +74,7 @@ fn oil(name: &str) -> FilmRheology {
     };
     let mut constants = TractionConstants {
         eyring_stress: Pressure::from_si(eyring),
-        ..TractionConstants::of(family).unwrap()
+        ..TractionConstants::from_family(family).unwrap()
     };
     if family == BaseOil::Mineral {
         constants.conductivity = ThermalConductivity::from_si(0.137);
@@ -199,7 +199,7 @@ fn a_newtonian_isothermal_film_has_its_closed_form() {
     let (mut first, mut struve) = (0.0, 0.0);
     let limits = TractionConstants {
         limiting_shear: 1e9,
-        ..TractionConstants::of(BaseOil::Pao).unwrap()
+        ..TractionConstants::from_family(BaseOil::Pao).unwrap()
     };
     let rheology = oil("e-fluid")
         .with_constants(limits)
@@ -245,7 +245,7 @@ fn a_newtonian_isothermal_film_has_its_closed_form() {
 fn at_high_slip_the_coefficient_is_the_limiting_shear() {
     let constants = TractionConstants {
         ambient_limit: Pressure::from_si(0.0),
-        ..TractionConstants::of(BaseOil::Mineral).unwrap()
+        ..TractionConstants::from_family(BaseOil::Mineral).unwrap()
     };
     let rheology = oil("M100")
         .with_constants(constants)
@@ -264,7 +264,7 @@ fn the_limiting_stress_falls_with_temperature_from_90_c() {
     let constants = TractionConstants {
         ambient_limit: Pressure::from_si(0.0),
         limiting_shear_fall: PerKelvin::from_si(0.005),
-        ..TractionConstants::of(BaseOil::Mineral).unwrap()
+        ..TractionConstants::from_family(BaseOil::Mineral).unwrap()
     };
     let rheology = oil("M100")
         .with_constants(constants)
@@ -286,7 +286,7 @@ fn a_slow_film_is_newtonian_whatever_its_eyring_stress() {
     let of = |stress: f64| {
         let constants = TractionConstants {
             eyring_stress: Pressure::from_si(stress),
-            ..TractionConstants::of(BaseOil::Pao).unwrap()
+            ..TractionConstants::from_family(BaseOil::Pao).unwrap()
         };
         isothermal(
             &oil("e-fluid").with_constants(constants).unwrap(),
@@ -317,7 +317,7 @@ fn what_a_solution_says_of_its_stress_and_heat_agrees() {
 
 #[test]
 fn constants_that_no_oil_has_are_refused_by_name() {
-    let good = TractionConstants::of(BaseOil::Mineral).unwrap();
+    let good = TractionConstants::from_family(BaseOil::Mineral).unwrap();
     let mut all = [good; 7];
     all[0].limiting_shear = 0.0;
     all[1].limiting_shear_fall = PerKelvin::from_si(-0.03);
@@ -410,7 +410,7 @@ fn the_slope_over_surface_temperature_is_that_of_the_friction() {
         // A limiting stress that falls with temperature adds its own slope.
         let constants = TractionConstants {
             limiting_shear_fall: PerKelvin::from_si(0.004),
-            ..TractionConstants::of(BaseOil::Mineral).unwrap()
+            ..TractionConstants::from_family(BaseOil::Mineral).unwrap()
         };
         let rheology = oil("M100").with_constants(constants).unwrap();
         let rheology = rheology.with_laws(shear, pressure);
@@ -561,7 +561,7 @@ fn a_rippled_film_shears_as_its_parts_do() {
 #[test]
 fn viscosity_rises_with_pressure_by_the_law_asked_for() {
     let (pressure, alpha, sliding, film) = (0.4e9_f64, 1e-8, 1e-6, 1e-6);
-    let constants = TractionConstants::of(BaseOil::Mineral).unwrap();
+    let constants = TractionConstants::from_family(BaseOil::Mineral).unwrap();
     let stress = |law, pressure| {
         let rheology = FilmRheology::with_alpha(
             &lubricant([96.0, 10.6], 882.0),
@@ -610,7 +610,7 @@ fn a_carreau_film_without_thinning_is_newtonian() {
             exponent: 1.0,
             ..CarreauConstants::default()
         },
-        ..TractionConstants::of(BaseOil::Pao).unwrap()
+        ..TractionConstants::from_family(BaseOil::Pao).unwrap()
     };
     let of = |law| {
         let rheology = oil("e-fluid")
@@ -804,7 +804,7 @@ proptest! {
                 ..LubricantInput::default()
             };
             let lubricant = lubricant.resolve(celsius(90.0)).unwrap();
-            let family = TractionConstants::of(BaseOil::Mineral).unwrap();
+            let family = TractionConstants::from_family(BaseOil::Mineral).unwrap();
             let constants = TractionConstants {
                 ambient_limit: family.ambient_limit * pressure,
                 eyring_stress: family.eyring_stress * pressure,

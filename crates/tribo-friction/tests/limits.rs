@@ -242,7 +242,7 @@ fn laws_of_the_standards_are_proportional_to_their_lubricant_factor() {
 
 #[test]
 fn a_traction_carries_the_rises_it_is_given() {
-    let plain = FilmTraction::of(0.03);
+    let plain = FilmTraction::from_coefficient(0.03);
     assert_eq!((plain.surface_rise, plain.film_rise), (None, None));
     let hot = plain.with_rises(12.0, 30.0);
     assert_eq!((hot.surface_rise, hot.film_rise), (Some(12.0), Some(30.0)));

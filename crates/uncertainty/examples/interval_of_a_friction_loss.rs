@@ -22,7 +22,7 @@ fn main() {
             600.0 * friction.at(standard_normal_quantile(place[0])) / friction.estimate.value
         })
         .collect();
-    let found = Quantiles::of(&losses);
+    let found = Quantiles::from_draws(&losses);
     let Estimate { value, low, high } = found.drawn;
     println!("{value:.0} W ({low:.0}..{high:.0})");
 }

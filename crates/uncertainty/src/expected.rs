@@ -73,7 +73,7 @@ pub struct Expected<'a> {
 impl<'a> Expected<'a> {
     /// Of `meshes`.
     #[must_use]
-    pub fn of(meshes: &'a [MeshDraws<'a>]) -> Self {
+    pub fn new(meshes: &'a [MeshDraws<'a>]) -> Self {
         Self {
             meshes,
             shared: OnceCell::new(),
@@ -90,7 +90,7 @@ impl<'a> Expected<'a> {
             _ => None,
         });
         if let Some(deviation) = of_losses {
-            let shared = self.shared.get_or_init(|| SharedLosses::of(self.meshes));
+            let shared = self.shared.get_or_init(|| SharedLosses::new(self.meshes));
             return Some(shared.after(deviation));
         }
         let mut is_known = false;
@@ -100,7 +100,7 @@ impl<'a> Expected<'a> {
             is_known |= after.is_some();
             after.unwrap_or_else(|| predictive.losses(flanks))
         });
-        is_known.then(|| Quantiles::of(&found))
+        is_known.then(|| Quantiles::from_draws(&found))
     }
 }
 
@@ -133,7 +133,7 @@ struct SharedLosses {
 }
 
 impl SharedLosses {
-    fn of(meshes: &[MeshDraws<'_>]) -> Self {
+    fn new(meshes: &[MeshDraws<'_>]) -> Self {
         let shared_w = total(meshes, |_, predictive, _| {
             predictive.losses_by(0, &|draw| {
                 hold_relief(draw);
@@ -141,7 +141,7 @@ impl SharedLosses {
             })
         });
         let drawn_w = total(meshes, |_, predictive, flanks| predictive.losses(flanks));
-        let median_w = Quantiles::of(&drawn_w).drawn.value;
+        let median_w = Quantiles::from_draws(&drawn_w).drawn.value;
         let mut pairs: Vec<[f64; 2]> = (drawn_w.into_iter().zip(shared_w))
             .map(|(own, shared)| [own.ln(), shared.ln()])
             .collect();

@@ -413,7 +413,7 @@ impl Predictive {
     /// Median, quantiles and spread of the draws.
     #[must_use]
     pub fn quantiles(&self) -> Quantiles {
-        Quantiles::of(&self.draws_w())
+        Quantiles::from_draws(&self.draws_w())
     }
 
     /// The same without the scatter and the form of surrogate flanks, as by traces with the same mean; none unless the
@@ -658,7 +658,7 @@ impl DrawnLoss<'_> {
             component.copy(&self.of.constants, &draw, &mut alone);
             self.loss(&alone)
         });
-        let found = Quantiles::of(&drawn.collect::<Vec<_>>());
+        let found = Quantiles::from_draws(&drawn.collect::<Vec<_>>());
         (found.sd_ln > 1e-9).then_some(found)
     }
 

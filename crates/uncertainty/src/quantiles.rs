@@ -36,11 +36,11 @@ impl Quantiles {
     ///
     /// ```
     /// use asperity_uncertainty::Quantiles;
-    /// let found = Quantiles::of(&(0..=20).map(|k| 100.0 + f64::from(k)).collect::<Vec<_>>());
+    /// let found = Quantiles::from_draws(&(0..=20).map(|k| 100.0 + f64::from(k)).collect::<Vec<_>>());
     /// assert_eq!((found.drawn.value, found.drawn.ends()), (110.0, [101.0, 119.0]));
     /// ```
     #[must_use]
-    pub fn of(draws: &[f64]) -> Self {
+    pub fn from_draws(draws: &[f64]) -> Self {
         let logs: Vec<f64> = draws.iter().map(|loss| loss.ln()).collect();
         let n = logs.len() as f64;
         let mean = logs.iter().sum::<f64>() / n;

@@ -29,7 +29,7 @@ pub struct ReliefFactors {
 
 impl ReliefFactors {
     /// The loss factors of a case over the reliefs that it may have; `None` if it states its relief.
-    pub fn of(case: &Case) -> Result<Option<Self>, PositionError> {
+    pub fn from_case(case: &Case) -> Result<Option<Self>, PositionError> {
         let Some(assumed) = &case.assumed_relief else {
             return Ok(None);
         };

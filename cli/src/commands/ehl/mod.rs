@@ -38,7 +38,7 @@ pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
         inlet: Inlet::ByLoad,
     };
     let about = |error| Fault::from(error).about(path.display());
-    let contact = ReferenceContact::of(&loaded, position, &settings).map_err(about)?;
+    let contact = ReferenceContact::new(&loaded, position, &settings).map_err(about)?;
     let title = format!(
         "{}, at {:.1} % of the path",
         loaded.case.title,

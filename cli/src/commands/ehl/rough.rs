@@ -48,7 +48,7 @@ pub fn solve(
     common: &Common,
 ) -> Result<Recorded, Failure> {
     let settings = &contact.record;
-    let shown = Progress::of(common.quiet, "half-widths travelled");
+    let shown = Progress::new(common.quiet, "half-widths travelled");
     let count = usize::from(args.records);
     // Thousandths of a half-width, summed over the records.
     let travelled: Vec<AtomicU64> = (0..count).map(|_| AtomicU64::new(0)).collect();

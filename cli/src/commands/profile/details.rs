@@ -39,7 +39,7 @@ pub struct Details {
 impl Details {
     /// Evaluates the details requested in `args`; the Hurst exponent by default over the wavelengths that the filters
     /// leave.
-    pub fn of(evaluated: &Evaluated, args: &ProfileInfoArgs) -> Self {
+    pub fn new(evaluated: &Evaluated, args: &ProfileInfoArgs) -> Self {
         let (plan, rough) = (&evaluated.plan, &evaluated.parts.roughness.profile);
         let window = plan.recipe.lambda_s.unwrap_or_default();
         let window = Length::from_si(window.si().max(rough.spacing().si()));
@@ -54,7 +54,7 @@ impl Details {
             spectrum: power_spectrum(rough).ok(),
             hurst: hurst_fit(rough, wavelengths.longest, wavelengths.shortest),
             wavelengths,
-            levels: Levels::of(evaluated, args),
+            levels: Levels::new(evaluated, args),
             ambiguity: open.unwrap_or_default(),
         }
     }

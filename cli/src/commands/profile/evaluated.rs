@@ -48,7 +48,7 @@ pub(super) struct Evaluated {
 }
 
 impl Evaluated {
-    pub(super) fn of(
+    pub(super) fn new(
         file: &Path,
         preparing: &PreparingArgs,
         reading: &ReadingArgs,
@@ -74,7 +74,7 @@ impl Evaluated {
         let mode = Mode::Iso4287;
         let evaluated = match plan.sections {
             Sections::Number(n) => Parameters::with_sections(rough, mode, n),
-            Sections::OfLength(length) => Parameters::of(rough, mode, length),
+            Sections::OfLength(length) => Parameters::from_profile(rough, mode, length),
         };
         let iso4287 = evaluated.map_err(refused)?;
         let iso21920 = iso4287.in_mode(rough, Mode::Iso21920).map_err(refused)?;

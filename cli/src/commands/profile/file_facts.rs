@@ -21,7 +21,7 @@ pub(super) struct FileFacts {
 
 impl FileFacts {
     /// The facts of a trace that was read with the options.
-    pub(super) fn of(trace: &Trace, args: &ReadingArgs) -> Self {
+    pub(super) fn new(trace: &Trace, args: &ReadingArgs) -> Self {
         let encoding = trace.encoding.map_or(String::new(), |e| format!(", {e}"));
         let points = trace.heights.len();
         let (spacing, length) = (trace.spacing(), trace.length());

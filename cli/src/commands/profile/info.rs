@@ -31,10 +31,10 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
             }
             trace => trace?,
         };
-        let facts = FileFacts::of(&trace, &args.reading);
+        let facts = FileFacts::new(&trace, &args.reading);
         return match Evaluated::of_trace(trace, &args.preparing, &args.reading) {
             Ok(evaluated_file) => {
-                let details = Details::of(&evaluated_file, args);
+                let details = Details::new(&evaluated_file, args);
                 let used = evaluated_file.plan.recipe.lambda_c;
                 let lines = case_lines(file, args, Some(used.unwrap_or_default()), None);
                 print_report(
@@ -64,7 +64,7 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     for file in &args.files {
         match evaluated(file, args) {
             Ok(evaluated_file) if common.json => entries.push(as_json(&evaluated_file, args)),
-            Ok(evaluated_file) => good.push(FileRow::of(&evaluated_file)),
+            Ok(evaluated_file) => good.push(FileRow::from_evaluated(&evaluated_file)),
             Err(failure) => {
                 if common.json {
                     entries.push(refused_entry(file, &failure));
@@ -95,7 +95,7 @@ pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         return print_json(&reports.collect::<Result<Vec<_>, Failure>>()?);
     }
     // Only the row of each file is stored.
-    let rows = all.map(|evaluated_file| Ok(FileRow::of(&evaluated_file?)));
+    let rows = all.map(|evaluated_file| Ok(FileRow::from_evaluated(&evaluated_file?)));
     let rows = rows.collect::<Result<Vec<_>, Failure>>()?;
     print_report(common, || (), || of_rows(&rows).table(ratios(&rows)), None)
 }
@@ -118,17 +118,17 @@ fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         return Err(Failure::new(Code::E205, text));
     }
     // A contradiction of options is reported once, not for every file.
-    Plan::of(&args.preparing).map(|_| ())
+    Plan::from_args(&args.preparing).map(|_| ())
 }
 
 fn evaluated(file: &Path, args: &ProfileInfoArgs) -> Result<Evaluated, Failure> {
-    Evaluated::of(file, &args.preparing, &args.reading)
+    Evaluated::new(file, &args.preparing, &args.reading)
 }
 
 fn as_json(evaluated_file: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Value {
     json::report(
         evaluated_file,
-        &Details::of(evaluated_file, args),
+        &Details::new(evaluated_file, args),
         args.curves,
     )
 }
@@ -158,7 +158,7 @@ struct FileRow {
 }
 
 impl FileRow {
-    fn of(evaluated_file: &Evaluated) -> Self {
+    fn from_evaluated(evaluated_file: &Evaluated) -> Self {
         let name = shortened(&evaluated_file.reading.name);
         let warnings = evaluated_file.warnings();
         let notes = warnings

@@ -19,10 +19,10 @@ pub struct Levels {
 
 impl Levels {
     /// Evaluates the values requested in `args`. An evaluated profile has Rk parameters and thus a curve.
-    pub fn of(evaluated: &Evaluated, args: &ProfileInfoArgs) -> Self {
+    pub fn new(evaluated: &Evaluated, args: &ProfileInfoArgs) -> Self {
         let rough = &evaluated.parts.roughness.profile;
         let (mut ratios, mut heights) = (Vec::new(), Vec::new());
-        if let Ok(levels) = MaterialLevels::of(rough.heights()) {
+        if let Ok(levels) = MaterialLevels::from_heights(rough.heights()) {
             ratios.extend(args.rmr.iter().map(|c| (*c, levels.ratio(*c))));
             let difference = |both: &Ratios| {
                 let height = levels.difference(both.upper, both.lower).ok()?;

@@ -65,7 +65,11 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
         let warnings = warnings
             .iter()
             .map(|(code, text)| json!({ "code": code, "text": text }));
-        let recipe = made.recipe.clone().map(Surface::Fitted).map(Recipe::of);
+        let recipe = made
+            .recipe
+            .clone()
+            .map(Surface::Fitted)
+            .map(Recipe::from_surface);
         json!({
             "recipe": recipe, "method": made.method, "pieces": pieces(&made, args, traces[0].spacing().si()),
             "achieved": a, "output": output,

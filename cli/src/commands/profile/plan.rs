@@ -35,7 +35,7 @@ pub struct Plan {
 
 impl Plan {
     /// Makes the plan of the options, for any file.
-    pub fn of(args: &PreparingArgs) -> Result<Self, Failure> {
+    pub fn from_args(args: &PreparingArgs) -> Result<Self, Failure> {
         Self::with(args, None)
     }
 

@@ -15,7 +15,7 @@ use crate::output::{besides_file, print_text, save, save_new};
 
 /// `asperity profile plot`
 pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
-    let evaluated = Evaluated::of(&args.file, &args.preparing, &args.reading)?;
+    let evaluated = Evaluated::new(&args.file, &args.preparing, &args.reading)?;
     let rough = &evaluated.parts.roughness.profile;
     let curve = abbott_curve(rough.heights())
         .map_err(|e| refusal(&evaluated.reading, &evaluated.plan, &e.into()))?;

@@ -33,7 +33,7 @@ pub(super) fn print(
         return Ok(false);
     };
     let areal = evaluated(&surface);
-    let lay = measured_lay(&surface, &Plan::of(&args.preparing)?);
+    let lay = measured_lay(&surface, &Plan::from_args(&args.preparing)?);
     let spacing = |spacing: Option<Length>| {
         spacing.map_or("unknown".to_owned(), |length| rounded(length).to_string())
     };

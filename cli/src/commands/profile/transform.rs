@@ -201,7 +201,7 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
             done => done,
         };
     }
-    let recipe = Recipe::of(Surface::SelfAffine(SelfAffine {
+    let recipe = Recipe::from_surface(Surface::SelfAffine(SelfAffine {
         points: args.points,
         spacing: args.spacing,
         rq: args.rq,

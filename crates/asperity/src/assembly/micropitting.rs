@@ -49,7 +49,7 @@ pub(crate) fn report(
     let Some(given) = &loaded.case.input.micropitting else {
         return Ok(None);
     };
-    let rating = Rating::of(loaded, given)?;
+    let rating = Rating::new(loaded, given)?;
     let mut cells = Vec::with_capacity(positions.len() + ends.len());
     for (k, position) in positions.iter().enumerate() {
         cells.push(rating.cell(position, views.get(k).copied().flatten())?);
@@ -118,7 +118,7 @@ struct Rating<'a> {
 }
 
 impl<'a> Rating<'a> {
-    fn of(loaded: &'a OperatingCase, given: &MicropittingInput) -> Result<Self, PositionError> {
+    fn new(loaded: &'a OperatingCase, given: &MicropittingInput) -> Result<Self, PositionError> {
         let case = loaded;
         let effusivity = case.materials.each_ref().map(|steel| {
             let product = steel.conductivity.si() * steel.density.si() * steel.heat_capacity.si();

@@ -54,7 +54,7 @@ pub(crate) enum Offsets {
 
 impl Offsets {
     /// The offsets that a case states, or those that follow from its flanks.
-    pub(crate) fn of(loaded: &LoadedCase) -> Self {
+    pub(crate) fn from_case(loaded: &LoadedCase) -> Self {
         let (case, surfaces) = (&loaded.case, &loaded.surfaces);
         let default = case.model.offsets;
         let is_stated = case.input.model.offsets.is_some() || case.overrides.offsets.is_some();
@@ -86,17 +86,17 @@ impl Offsets {
 }
 
 impl ContactInputs {
-    pub(crate) fn of(loaded: &LoadedCase) -> Self {
+    pub(crate) fn from_case(loaded: &LoadedCase) -> Self {
         Self {
-            mesh: MeshInputs::of(&loaded.case),
-            windows: Arc::new(WindowInputs::of(&loaded.case, &loaded.surfaces)),
-            offsets: Offsets::of(loaded),
+            mesh: MeshInputs::from_case(&loaded.case),
+            windows: Arc::new(WindowInputs::new(&loaded.case, &loaded.surfaces)),
+            offsets: Offsets::from_case(loaded),
         }
     }
 }
 
 impl WindowInputs {
-    pub(crate) fn of(case: &Case, surfaces: &Surfaces) -> Self {
+    pub(crate) fn new(case: &Case, surfaces: &Surfaces) -> Self {
         Self {
             surfaces: surfaces.clone(),
             reach: case.model.window,

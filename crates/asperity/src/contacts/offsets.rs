@@ -80,7 +80,7 @@ pub(super) fn offsets_needed(
         Ok([mean(friction.iter().copied()), scatter].map(|value| weight * value))
     };
     let found = numbered(par_map(positions, of_position))?;
-    let scatter = Scatter::of(found.into_iter());
+    let scatter = Scatter::from_positions(found.into_iter());
     let half_widths = positions.iter().map(|at| at.hertz.half_width.si());
     let widest = Length::from_si(half_widths.fold(0.0, f64::max));
     let independent = windows_of_traces(&windows.surfaces, windows.reach, widest);

@@ -170,7 +170,7 @@ impl Contacts {
     /// The contacts of the first pair of traces, which are the only ones of `first`.
     pub(crate) fn of_first_pair(&self, first: &LoadedCase) -> Self {
         let pairs = self.inputs.windows.surfaces.pairs();
-        let windows = WindowInputs::of(&first.case, &first.surfaces).into();
+        let windows = WindowInputs::new(&first.case, &first.surfaces).into();
         self.part(windows, self.each, |row| {
             let count = row.len() / pairs;
             row.iter().take(count.max(1)).cloned().collect()
@@ -214,7 +214,7 @@ impl Contacts {
 
     /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.
     pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
-        match self.have_windows_of(&ContactInputs::of(loaded)) {
+        match self.have_windows_of(&ContactInputs::from_case(loaded)) {
             true => Ok(()),
             false => Err(PositionError::other_tables(
                 "flank, steel, window or number of offsets",

@@ -17,7 +17,7 @@ pub(crate) struct ChosenLaws {
 
 impl ChosenLaws {
     /// The laws of `case`.
-    pub(crate) fn of(case: &OperatingCase) -> Self {
+    pub(crate) fn from_case(case: &OperatingCase) -> Self {
         Self {
             film: case.film_law(),
             friction: case.film_friction(),

@@ -40,7 +40,7 @@ pub(crate) struct Undecided<'a> {
 
 impl<'a> Undecided<'a> {
     /// Film parameters with this roughness.
-    pub(crate) fn of(
+    pub(crate) fn new(
         case: &'a OperatingCase,
         laws: &ChosenLaws,
         (position, film): (&MeshPosition, &FormulaFilm),

@@ -80,7 +80,7 @@ impl FullFilm {
 
     /// Interval of the solution's grid that holds `x` \[m\].
     fn interval(&self, x: f64) -> Option<NodeInterval> {
-        NodeInterval::of(&self.x, |node| *node, x / self.half_width).inside()
+        NodeInterval::from_nodes(&self.x, |node| *node, x / self.half_width).inside()
     }
 }
 

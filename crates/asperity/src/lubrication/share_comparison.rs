@@ -172,7 +172,7 @@ fn solved(
     let spectrum = |trace: &Profile| TraceSpectrum::new(trace.heights(), trace.spacing());
     let [first, second] = contact.traces.each_ref().map(spectrum);
     let spectra = [&first?, &second?];
-    let flattening = film.flattening(&PairSpectrum::of(spectra))?;
+    let flattening = film.flattening(&PairSpectrum::from_traces(spectra))?;
     let traces = AttenuatedTraces::new(spectra, &flattening);
     let share = |window: &ComparedWindow| {
         let roughness = traces.window(window.starts, window.points)?;
@@ -268,7 +268,7 @@ fn mean_share(
     windows: &[ComparedWindow],
     law: LoadShareLaw,
 ) -> Result<Option<f64>, ReferenceError> {
-    let laws = ChosenLaws::of(loaded);
+    let laws = ChosenLaws::from_case(loaded);
     let position = &contact.position;
     let film = formula_film(loaded, position)?.film;
     let mut sum = 0.0;

@@ -171,7 +171,7 @@ impl Lubrication<'_> {
                 ShareLaw::Own { .. } => self.pair(at, contact, (k, count))?,
                 _ => None,
             };
-            let undecided = Undecided::of(self.case, self.laws, of_position, &contact.roughness)?;
+            let undecided = Undecided::new(self.case, self.laws, of_position, &contact.roughness)?;
             open.push((share, pair, undecided));
         }
         let conditions = contacts.iter().zip(&open);

@@ -23,7 +23,7 @@ pub(crate) enum PathPlaces {
 }
 
 impl MeshInputs {
-    pub(crate) fn of(case: &Case) -> Self {
+    pub(crate) fn from_case(case: &Case) -> Self {
         Self {
             load: case.load_inputs(),
             modulus: case.modulus,

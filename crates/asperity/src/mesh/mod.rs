@@ -33,21 +33,21 @@ impl Mesh {
     /// ```
     /// use asperity::{case, mesh::Mesh};
     /// let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-    /// let mesh = Mesh::of(&case::load(file, None)?.case)?;
+    /// let mesh = Mesh::new(&case::load(file, None)?.case)?;
     /// assert!(mesh.positions.iter().all(|position| position.load.si() > 0.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(case: &Case) -> Result<Self, PositionError> {
-        let inputs = MeshInputs::of(case);
+    pub fn new(case: &Case) -> Result<Self, PositionError> {
+        let inputs = MeshInputs::from_case(case);
         Self::under(&inputs, case.speed, inputs.load.load_map()?)
     }
 
     /// The mesh of a case at another torque: its gears, with the tip relief that the case states or assumes.
     ///
     /// # Errors
-    /// As [`of`](Self::of).
+    /// As [`of`](Self::new).
     pub fn at_torque(case: &Case, torque: Torque) -> Result<Self, PositionError> {
-        let mut inputs = MeshInputs::of(case);
+        let mut inputs = MeshInputs::from_case(case);
         inputs.load = inputs.load.at(torque);
         let load = inputs.load.load_map()?;
         Self::under(&inputs, case.speed, load)
@@ -74,7 +74,7 @@ impl Mesh {
         case: &Case,
     ) -> Result<Vec<(&'static str, MeshPosition)>, PositionError> {
         let path = case.gears.path();
-        let inputs = MeshInputs::of(case);
+        let inputs = MeshInputs::from_case(case);
         let mut points = Vec::new();
         let named = path.named_points().into_iter();
         for (name, s) in named.filter(|(_, s)| (path.a..=path.e).contains(s)) {
@@ -140,7 +140,7 @@ fn position(
 /// # Errors
 /// When an equation refuses the numbers there, as where relief keeps the flanks apart.
 pub fn position_at(case: &Case, s: Length) -> Result<MeshPosition, PositionError> {
-    let inputs = MeshInputs::of(case);
+    let inputs = MeshInputs::from_case(case);
     let place = Place::shown(&inputs.load.load_map()?, s, Resolution::Required)?;
     position(&inputs, case.speed, 1, &place)
 }

@@ -26,7 +26,7 @@ pub(crate) fn settle(
     seeks_hotter: bool,
 ) -> Result<OperatingCase, Error> {
     let used = Provenance::new();
-    let law = used.collect(|| Law::of(loaded, model, mesh));
+    let law = used.collect(|| Law::new(loaded, model, mesh));
     let law = law.map_err(Box::new)?;
     let oil = loaded.case.stated_temperature;
     let made = |bulk: Temperature| {
@@ -60,7 +60,7 @@ struct Law<'a> {
 }
 
 impl<'a> Law<'a> {
-    fn of(
+    fn new(
         loaded: &'a LoadedCase,
         model: BulkModel,
         mesh: impl Fn(&LoadedCase) -> Result<Mesh, PositionError>,

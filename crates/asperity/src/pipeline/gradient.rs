@@ -153,7 +153,7 @@ fn gradient_of(loaded: &LoadedCase, known: &[&Contacts]) -> Result<LossGradient,
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(&exact, known))?;
     let warm = warmed(&sampled, &contacts, false)?;
-    let stages = Stages::of(&warm, &contacts, &|_, _| {}, used)?;
+    let stages = Stages::new(&warm, &contacts, &|_, _| {}, used)?;
     let positions = stages.lubricated()?;
     let lubrication = stages.lubrication();
     let of_position = |at| {
@@ -372,7 +372,7 @@ mod tests {
     fn row_contacts(case: &LoadedCase) -> Vec<RowContact> {
         let (sampled, contacts) = sampled(case, &[]).unwrap();
         let stated = sampled.at_stated().unwrap();
-        let stages = Stages::of(&stated, &contacts, &|_, _| {}, Provenance::new()).unwrap();
+        let stages = Stages::new(&stated, &contacts, &|_, _| {}, Provenance::new()).unwrap();
         let points = case.surfaces.traces().unwrap().map(Profile::len);
         let mut found = Vec::new();
         for (number, position) in stages.lubricated().unwrap().iter().enumerate() {

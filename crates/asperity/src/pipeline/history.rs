@@ -88,7 +88,7 @@ pub fn history(
     settings: &HistorySettings,
     each: &dyn Fn(&HistoryState),
 ) -> Result<History, Error> {
-    let mesh = Mesh::of(case).map_err(Box::new)?;
+    let mesh = Mesh::new(case).map_err(Box::new)?;
     let RunningInPlan {
         torque,
         engagements,

@@ -37,7 +37,7 @@ pub(crate) fn over_gap(
     number: usize,
     gaps: Option<&[Length]>,
 ) -> Result<Option<OverGap>, Error> {
-    let stages = Stages::of(case, contacts, &|_, _| {}, Provenance::new())?;
+    let stages = Stages::new(case, contacts, &|_, _| {}, Provenance::new())?;
     Ok(at_position(&stages, number, gaps).map_err(Box::new)?)
 }
 

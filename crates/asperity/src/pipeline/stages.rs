@@ -56,8 +56,8 @@ fn placed_mesh(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Mesh,
     // A table that does not reach the operating point is reported before the work.
     crate::gearbox::parts_of_mesh(case)?;
     let mesh = match contacts.and_then(|contacts| contacts.load_map(case)) {
-        Some(map) => Mesh::under(&MeshInputs::of(case), case.speed, map.clone())?,
-        None => Mesh::of(case)?,
+        Some(map) => Mesh::under(&MeshInputs::from_case(case), case.speed, map.clone())?,
+        None => Mesh::new(case)?,
     };
     if let Some(coverage) = loaded.surfaces.coverage(mesh.positions.iter()) {
         check_coverage(coverage)?;
@@ -79,7 +79,7 @@ pub(super) fn sampled<'a>(
     loaded: &'a LoadedCase,
     known: &[&'a Contacts],
 ) -> Result<(Cow<'a, LoadedCase>, Cow<'a, Contacts>), Error> {
-    let inputs = ContactInputs::of(loaded);
+    let inputs = ContactInputs::from_case(loaded);
     let own = known.iter().find(|known| known.are_by(&inputs));
     let contacts = match own {
         Some(own) => {
@@ -101,13 +101,13 @@ fn contacts_of<'a>(
     others: impl Iterator<Item = &'a Contacts>,
 ) -> Result<Contacts, Error> {
     numbered(mesh.positions.iter().map(check_mesh_position).collect())?;
-    Contacts::solve(ContactInputs::of(loaded), mesh.load.clone(), others)
+    Contacts::solve(ContactInputs::from_case(loaded), mesh.load.clone(), others)
 }
 
 /// Whether the number of offsets of `loaded` follows from its contacts: the case states none, and its load share follows from
 /// windows of traces whose place on the flank is not known.
 pub fn chooses_offsets(loaded: &LoadedCase) -> bool {
-    Offsets::of(loaded) == Offsets::Needed
+    Offsets::from_case(loaded) == Offsets::Needed
 }
 
 /// `loaded` with this number of offsets.
@@ -175,7 +175,7 @@ fn losses_of_stages(
     progress: Progress<'_>,
     used: Provenance,
 ) -> Result<Losses, Error> {
-    let stages = Stages::of(case, contacts, progress, used)?;
+    let stages = Stages::new(case, contacts, progress, used)?;
     let positions = stages.lubricated()?;
     let mut losses = stages.summed(|| stages.solved(positions)?.losses())?;
     losses.run_in = stages.run_in()?;
@@ -193,7 +193,7 @@ pub(crate) fn outcome(
     let kept = &options.kept;
     let (sampled, contacts) = used.collect(|| sampled(loaded, &options.known))?;
     let warmed = warmed(&sampled, &contacts, options.seeks_hotter)?;
-    let stages = Stages::of(&warmed, &contacts, progress, used)?;
+    let stages = Stages::new(&warmed, &contacts, progress, used)?;
     let mut positions = stages.lubricated()?;
     stages.press(&mut positions)?;
     let has_points = *kept != Kept::Nothing;
@@ -306,7 +306,7 @@ pub(super) struct Stages<'a> {
 }
 
 impl<'a> Stages<'a> {
-    pub fn of(
+    pub fn new(
         case: &'a OperatingCase,
         contacts: &'a Contacts,
         progress: Progress<'a>,
@@ -326,8 +326,8 @@ impl<'a> Stages<'a> {
         progress: Progress<'a>,
         used: Provenance,
     ) -> Result<Self, Error> {
-        let laws = ChosenLaws::of(case);
-        let later = RunInSteps::of(case);
+        let laws = ChosenLaws::from_case(case);
+        let later = RunInSteps::from_case(case);
         let shown = |done, total| progress(done, total + later.after(total));
         let records = || records_of(case, &laws, &mesh.positions, &shown);
         let (mut records, record_count) = used.collect(records).map_err(Box::new)?;
@@ -370,7 +370,7 @@ impl<'a> Stages<'a> {
         let case = self.case;
         let done = AtomicUsize::new(self.record_count);
         let count = self.record_count + self.mesh.positions.len();
-        let later = RunInSteps::of(case).after(count);
+        let later = RunInSteps::from_case(case).after(count);
         let solve = |at: &MeshPosition| {
             let contacts = self.contacts.at(at)?;
             let position = lubrication.position(at, contacts)?;
@@ -404,7 +404,7 @@ impl<'a> Stages<'a> {
         let held = kept.held(positions, is_resolved);
         let picture = |(position, held): (&LubricatedPosition, bool)| {
             let contacts = self.contacts.at(&position.at)?;
-            Picture::of(&lubrication, position, contacts, held)
+            Picture::new(&lubrication, position, contacts, held)
         };
         self.each((positions, held), picture)
     }
@@ -487,7 +487,7 @@ impl<'a> Stages<'a> {
 struct RunInSteps(bool);
 
 impl RunInSteps {
-    fn of(case: &Case) -> Self {
+    fn from_case(case: &Case) -> Self {
         Self(case.running_in.is_some())
     }
 

@@ -36,7 +36,7 @@ impl ContactStore {
     pub fn prepare(&mut self, cases: &[&LoadedCase]) {
         let mut missing: Vec<(ContactInputs, &LoadedCase)> = Vec::new();
         for case in cases {
-            let inputs = ContactInputs::of(case);
+            let inputs = ContactInputs::from_case(case);
             let is_known = self.known.iter().any(|known| known.are_by(&inputs));
             if !is_known && missing.iter().all(|(other, _)| *other != inputs) {
                 missing.push((inputs, case));
@@ -51,7 +51,7 @@ impl ContactStore {
     /// The contacts of `case`, if they are stored.
     #[must_use]
     pub fn of(&self, case: &LoadedCase) -> Option<Arc<Contacts>> {
-        let inputs = ContactInputs::of(case);
+        let inputs = ContactInputs::from_case(case);
         let mut known = self.known.iter();
         known.find(|known| known.are_by(&inputs)).cloned()
     }

@@ -49,7 +49,7 @@ pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
     let (sampled, contacts) = sampled(loaded, &[])?;
     let warmed = warmed(&sampled, &contacts, true)?;
     let case = &warmed;
-    let stages = Stages::of(&warmed, &contacts, &|_, _| {}, Provenance::new())?;
+    let stages = Stages::new(&warmed, &contacts, &|_, _| {}, Provenance::new())?;
     let rows = stages.mesh.positions.iter().map(|at| {
         let (film, decisions) = stages
             .lubrication()

@@ -215,7 +215,7 @@ impl PathRecords {
 
     fn between(&self, s: Length) -> NodeInterval {
         let position = |place: &PlacedRecord| place.position.s.si();
-        NodeInterval::of(&self.places, position, s.si()).held()
+        NodeInterval::from_nodes(&self.places, position, s.si()).held()
     }
 }
 

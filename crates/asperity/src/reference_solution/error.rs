@@ -60,9 +60,9 @@ impl From<ReferenceError> for Fault {
         match error {
             ReferenceError::Position(error) => error.into(),
             ReferenceError::Ehl(error) => error.into(),
-            error @ ReferenceError::NoBaseOil => Self::of(Code::E208, error)
+            error @ ReferenceError::NoBaseOil => Self::from_cause(Code::E208, error)
                 .helping("Set lubricant.base_oil in the case: mineral, pao, ester or polyglycol."),
-            error @ ReferenceError::Share(_) => Self::of(Code::E305, error),
+            error @ ReferenceError::Share(_) => Self::from_cause(Code::E305, error),
         }
     }
 }

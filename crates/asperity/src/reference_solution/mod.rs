@@ -1,6 +1,6 @@
 //! Reference solution of the load share: the transient mixed lubrication of a case at one place of the path.
 //!
-//! [`ReferenceContact::of`] makes of a case and a place the rough contact and the record that
+//! [`ReferenceContact::new`] makes of a case and a place the rough contact and the record that
 //! [`asperity_ehl`] solves; [`lubrication::shares`](crate::lubrication::shares) compares the laws of load sharing with it.
 //!
 //! Its ridges go across the whole face and cannot leak. Where the roughness that is left in the contact is above

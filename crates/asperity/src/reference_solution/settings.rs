@@ -128,7 +128,7 @@ impl ReferenceContact {
     /// When an equation refuses the place, a flank has no trace, a trace is too short for the filter, or
     /// the base
     /// oil is not known.
-    pub fn of(
+    pub fn new(
         loaded: &OperatingCase,
         path_fraction: f64,
         settings: &ReferenceSettings,
@@ -147,7 +147,7 @@ impl ReferenceContact {
     /// The contact of `loaded` at a mesh position.
     ///
     /// # Errors
-    /// As [`Self::of`].
+    /// As [`Self::new`].
     pub fn at(
         loaded: &OperatingCase,
         position: MeshPosition,
@@ -296,7 +296,7 @@ pub fn attenuated_roughness(
     let conditions = conditions(contact, oil);
     let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
         .map_err(PositionError::from)?;
-    let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
+    let numbers = MoesNumbers::from_groups(&conditions.line_groups()?)?;
     let nabla = numbers.nabla_per_length(hertz.half_width)?;
     let attenuation = Attenuation::new(GapLaw::Power, nabla)?;
     let mut squares = 0.0;

@@ -40,7 +40,7 @@ pub(crate) struct Scatter {
 
 impl Scatter {
     /// Of the loss of each position and its standard deviation.
-    pub fn of(positions: impl Iterator<Item = [f64; 2]>) -> Self {
+    pub fn from_positions(positions: impl Iterator<Item = [f64; 2]>) -> Self {
         let add = |[loss, squares, sum]: [f64; 3], [of_one, deviation]: [f64; 2]| {
             [
                 loss + of_one,
@@ -131,7 +131,7 @@ impl Independent {
 
     /// Under contacts of half width `half_width` with windows of `window` half-widths to each side; `None` if a flank was not
     /// measured.
-    pub(crate) fn of(
+    pub(crate) fn new(
         surfaces: &Surfaces,
         window: f64,
         half_width: Length,
@@ -174,7 +174,7 @@ pub fn window_sampling(
     asperity_share: f64,
 ) -> WindowSampling {
     cite!("Sampling-error");
-    let scatter = Scatter::of(positions.iter().copied());
+    let scatter = Scatter::from_positions(positions.iter().copied());
     let numerical = (scatter.squares / offsets as f64).sqrt();
     sampling(
         (offsets, COMMON * scatter.sum, numerical),
@@ -221,10 +221,13 @@ mod tests {
 
     #[test]
     fn positions_add_their_scatters_and_their_squares() {
-        let found = Scatter::of([[3.0, 0.3], [1.0, 0.4]].into_iter());
+        let found = Scatter::from_positions([[3.0, 0.3], [1.0, 0.4]].into_iter());
         assert!((found.sum - 0.7 / 4.0).abs() < 1e-15);
         assert!((found.squares - 0.25 / 16.0).abs() < 1e-15);
-        assert_eq!(Scatter::of(std::iter::empty()), Scatter::default());
+        assert_eq!(
+            Scatter::from_positions(std::iter::empty()),
+            Scatter::default()
+        );
     }
 
     #[test]

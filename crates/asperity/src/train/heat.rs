@@ -66,7 +66,7 @@ pub struct GearNode {
 }
 
 impl GearNode {
-    fn of(mesh: &str, run: &RunResult) -> Option<Self> {
+    fn new(mesh: &str, run: &RunResult) -> Option<Self> {
         let bulk = run.bulk.as_ref()?;
         Some(Self {
             mesh: mesh.to_owned(),
@@ -170,7 +170,7 @@ impl HeatReport {
     }
 
     /// The report with the temperatures that follow from the losses of the run.
-    pub(crate) fn of<'a>(
+    pub(crate) fn new<'a>(
         oil: &FoundOil,
         heat: &HeatInput,
         losses: Power,
@@ -185,7 +185,7 @@ impl HeatReport {
             housing_c,
             ambient_c: celsius(heat.ambient),
             gears: runs
-                .filter_map(|(mesh, run)| GearNode::of(mesh, run))
+                .filter_map(|(mesh, run)| GearNode::new(mesh, run))
                 .collect(),
             heat_w: into_oil(heat, losses).si(),
             other_losses_w: heat.other_losses.map_or(0.0, Power::si),

@@ -122,7 +122,7 @@ pub struct LossKinds {
 }
 
 impl LossKinds {
-    fn of(summary: &Summary) -> Self {
+    fn from_summary(summary: &Summary) -> Self {
         Self {
             film_w: summary.film_w,
             lubricated_asperity_w: summary.lubricated_asperity_w,
@@ -426,7 +426,7 @@ impl TrainLosses {
             .oil
             .as_ref()
             .zip(self.settled.heat.as_ref())
-            .map(|(oil, heat)| HeatReport::of(oil, heat, result.losses(), std::iter::empty()));
+            .map(|(oil, heat)| HeatReport::new(oil, heat, result.losses(), std::iter::empty()));
         result.loss_distribution = self.total;
         Ok(result)
     }
@@ -445,7 +445,7 @@ pub fn total_of<'a>(
     for ((predictive, flanks), count) in meshes.zip(loaded.counts()) {
         predictive.add_draws(&mut total, f64::from(count), flanks);
     }
-    Some(Quantiles::of(&total))
+    Some(Quantiles::from_draws(&total))
 }
 
 /// The losses \[W\] of the meshes of a train, each by the same ratio, so that all meshes together lose `median_w`.
@@ -501,7 +501,7 @@ pub(crate) fn run(loaded: &Train, options: &Options<'_>) -> Result<Outcome, Erro
     result.heat = found.map(|(oil, heat)| {
         let runs = loaded.meshes().zip(&meshes);
         let runs = runs.map(|(mesh, outcome)| (mesh.name.as_str(), &outcome.result));
-        HeatReport::of(&oil, heat, result.losses(), runs)
+        HeatReport::new(&oil, heat, result.losses(), runs)
     });
     result.loss_distribution = total;
     Ok(Outcome {
@@ -546,7 +546,7 @@ fn loaded_by_losses(loaded: Train) -> Result<Train, Error> {
         for (stage, known) in settled.stages.iter().zip(&mut known) {
             // A mesh whose load did not change has the loss of the pass before.
             let loss = |(k, mesh): (usize, &LoadedMesh)| {
-                let load = MeshLoad::of(&mesh.case.case);
+                let load = MeshLoad::from_case(&mesh.case.case);
                 match known.get(k) {
                     Some((before, loss)) if *before == load => Ok((load, *loss)),
                     _ => {
@@ -609,7 +609,7 @@ fn gearbox_without_losses(train: &Train) -> Result<Option<GearboxReport>, Positi
 
 /// The case of a mesh at another load.
 fn at_load(case: &LoadedCase, load: MeshLoad) -> Result<LoadedCase, Error> {
-    match MeshLoad::of(&case.case) == load {
+    match MeshLoad::from_case(&case.case) == load {
         true => Ok(case.clone()),
         false => case.with(|input| {
             input.operation.torque = load.torque;
@@ -635,7 +635,10 @@ fn result(loaded: &Train, runs: &[MeshLosses<'_>]) -> Result<Whole, PositionErro
     let mut runs = runs.iter();
     for (k, (stage, kind)) in loaded.stages.iter().zip(&train.kinds).enumerate() {
         for (mesh, run) in stage.meshes.iter().zip(runs.by_ref()) {
-            kinds.add(&LossKinds::of(run.summary), f64::from(kind.count()));
+            kinds.add(
+                &LossKinds::from_summary(run.summary),
+                f64::from(kind.count()),
+            );
             meshes.push(row(mesh, kind, run));
         }
         if let Some(report) = planetary(loaded, k, &flow)? {

@@ -63,7 +63,7 @@ impl ChangeDraws {
     ///
     /// # Errors
     /// As [`Run::losses`](crate::Run::losses).
-    pub fn of(cases: [(&LoadedCase, &Contacts); 2]) -> Result<Option<Self>, Error> {
+    pub fn new(cases: [(&LoadedCase, &Contacts); 2]) -> Result<Option<Self>, Error> {
         cite!("Change-draw");
         let mut change = vec![0.0; Predictive::count()];
         let mut at_medians = 0.0;

@@ -415,7 +415,7 @@ mod tests {
     }
 
     impl Drawn {
-        fn of(file: &str, change: &dyn Fn(&mut CaseInput)) -> Self {
+        fn new(file: &str, change: &dyn Fn(&mut CaseInput)) -> Self {
             let loaded = load_with(std::path::Path::new(file), &|input| {
                 (input.model.positions, input.model.offsets) = (Some(4), Some(4));
                 change(input);
@@ -494,16 +494,16 @@ mod tests {
 
     #[test]
     fn truths_drawn_by_the_rule_lie_in_the_interval_of_their_difference() {
-        let as_is = Drawn::of(FILE, &|_| {});
-        let with = |keys: &'static [(&str, &str)]| Drawn::of(FILE, &|input| set(input, keys));
+        let as_is = Drawn::new(FILE, &|_| {});
+        let with = |keys: &'static [(&str, &str)]| Drawn::new(FILE, &|input| set(input, keys));
         let warm = with(&[("operation.bulk_temperature", "110 °C")]);
         let viscous = with(&VISCOUS);
-        let mineral = Drawn::of(FILE, &|input| {
+        let mineral = Drawn::new(FILE, &|input| {
             input.lubricant = Default::default();
             set(input, &[("lubricant.oil", "m100")]);
         });
         let gears = with(&[("gears.teeth", "[30, 89]"), ("gears.module", "1.4 mm")]);
-        let finish = Drawn::of("../../fixtures/cases/e-drive-superfinished.toml", &|_| {});
+        let finish = Drawn::new("../../fixtures/cases/e-drive-superfinished.toml", &|_| {});
         let beside = |other: &Drawn| other.against(&as_is);
         let [before, after] =
             [&as_is, &finish].map(|of| (&of.loaded, &of.predictive, &of.uncertainty));
@@ -547,7 +547,7 @@ mod tests {
 
     #[test]
     fn batches_of_a_grade_are_one_oil_and_two_grades_are_two() {
-        let as_is = Drawn::of(FILE, &|_| {});
+        let as_is = Drawn::new(FILE, &|_| {});
         let of_oil = |viscosities: [f64; 2]| {
             let [at_40, at_100] = viscosities;
             let law = format!(
@@ -644,17 +644,17 @@ mod tests {
     fn the_width_of_a_difference_grows_steadily_with_each_key() {
         for (key, value) in PATHS {
             check_widths(key, &|t| {
-                Drawn::of(FILE, &|input| set(input, &[(key, &value(t))]))
+                Drawn::new(FILE, &|input| set(input, &[(key, &value(t))]))
             });
         }
         let face_width = |t: f64| format!("{} mm", 32.0 + 8.0 * t);
         check_widths("gears.face_width", &|t| {
-            Drawn::of(FILE, &|input| {
+            Drawn::new(FILE, &|input| {
                 set(input, &[("gears.face_width", &face_width(t))])
             })
         });
         // Heights of both traces.
-        let as_is = Drawn::of(FILE, &|_| {});
+        let as_is = Drawn::new(FILE, &|_| {});
         let flanks = ["surface.pinion.file", "surface.wheel.file"];
         check_widths("heights", &|t| {
             let traces = as_is.loaded.all_traces();
@@ -677,9 +677,9 @@ mod tests {
 
     #[test]
     fn the_order_of_two_runs_changes_the_signs_of_their_difference_only() {
-        let as_is = Drawn::of(FILE, &|_| {});
-        let finish = Drawn::of("../../fixtures/cases/e-drive-superfinished.toml", &|_| {});
-        let mineral = Drawn::of(FILE, &|input| {
+        let as_is = Drawn::new(FILE, &|_| {});
+        let finish = Drawn::new("../../fixtures/cases/e-drive-superfinished.toml", &|_| {});
+        let mineral = Drawn::new(FILE, &|input| {
             input.lubricant = Default::default();
             set(input, &[("lubricant.oil", "m100")]);
         });

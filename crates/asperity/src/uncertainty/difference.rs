@@ -55,7 +55,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    fn of(watts: Estimate, probability: f64, models: &[AlternativeRow]) -> Self {
+    fn new(watts: Estimate, probability: f64, models: &[AlternativeRow]) -> Self {
         if watts == Estimate::new(0.0, [0.0; 2]) {
             return Self::Equal;
         }
@@ -280,7 +280,7 @@ pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) ->
         watts,
         share: median_with_ends(&shares),
         probability,
-        verdict: Verdict::of(watts, probability, &models),
+        verdict: Verdict::new(watts, probability, &models),
         models,
         common,
     }

@@ -83,7 +83,7 @@ pub(super) struct Nominal<'a> {
 }
 
 impl<'a> Nominal<'a> {
-    pub fn of(losses: &'a Losses) -> Self {
+    pub fn from_losses(losses: &'a Losses) -> Self {
         Self {
             summary: &losses.summary,
             path: &losses.path,
@@ -188,7 +188,7 @@ pub(super) fn by_contacts(
             number: AtomicUsize::new(0),
             done,
         };
-        of_positions = Fits::of(base)?.enter(loaded, &mut predictive)?;
+        of_positions = Fits::new(base)?.enter(loaded, &mut predictive)?;
     }
     Ok(Evaluated {
         predictive,
@@ -208,7 +208,7 @@ fn at_medians(
     nominal: &Nominal<'_>,
     constants: Vec<Ranged>,
 ) -> Result<Predictive, Error> {
-    let path = Path::of(nominal.path);
+    let path = Path::from_rows(nominal.path);
     let summary = nominal.summary;
     let others_w = summary.loss_w - summary.sliding_w - summary.rolling_w;
     Ok(Predictive {
@@ -228,7 +228,7 @@ fn at_medians(
         far_lay: None,
         held_thermal: None,
         patch_flow: None,
-        relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
+        relief: ReliefFactors::from_case(&loaded.case).map_err(whole)?,
         gap_law: match loaded.case.share_law() {
             ShareLaw::Solved(contact) => contact.supply.gap_law(),
             _ => GapLaw::Inlet,
@@ -248,7 +248,11 @@ pub(super) fn at_losses(
     losses: &Losses,
     before: &Predictive,
 ) -> Result<Predictive, Error> {
-    let found = at_medians(changed, &Nominal::of(losses), before.constants.clone())?;
+    let found = at_medians(
+        changed,
+        &Nominal::from_losses(losses),
+        before.constants.clone(),
+    )?;
     Ok(Predictive {
         power_in_w: found.power_in_w,
         at_medians_w: found.at_medians_w,
@@ -275,7 +279,7 @@ struct Fits<'a> {
 }
 
 impl<'a> Fits<'a> {
-    fn of(base: Base<'a>) -> Result<Self, Error> {
+    fn new(base: Base<'a>) -> Result<Self, Error> {
         let dimensions = base.constants.len();
         let fitted = base.places(QuadraticSurface::evaluations(dimensions), SEED);
         let middle = base.at(&vec![0.0; dimensions], None)?;
@@ -303,7 +307,8 @@ impl<'a> Fits<'a> {
         predictive: &mut Predictive,
     ) -> Result<Vec<QuadraticSurface>, Error> {
         let middle = &self.middle;
-        let share = |losses: &Losses| Path::of(&losses.path).asperity_share - path_share(middle);
+        let share =
+            |losses: &Losses| Path::from_rows(&losses.path).asperity_share - path_share(middle);
         predictive.sliding = self.fit(&|losses| self.ratio(losses));
         predictive.share = self.fit(&share);
         let temperature = UncertainParameter::TemperatureError;
@@ -452,7 +457,7 @@ fn other_law(loaded: &OperatingCase, offsets: usize) -> Result<Option<ByOtherLaw
 }
 
 fn path_share(losses: &Losses) -> f64 {
-    Path::of(&losses.path).asperity_share
+    Path::from_rows(&losses.path).asperity_share
 }
 
 /// Whether the loss depends on β_i, which the case does not state.
@@ -610,7 +615,7 @@ pub(super) struct Path {
 }
 
 impl Path {
-    pub fn of(path: &[PositionRow]) -> Self {
+    pub fn from_rows(path: &[PositionRow]) -> Self {
         let power = |row: &PositionRow| row.weight_m * row.sliding_w_per_m;
         let total: f64 = path.iter().map(power).sum();
         let mean = |of: &dyn Fn(&PositionRow) -> f64| match total > 0.0 {
@@ -712,7 +717,7 @@ pub(super) fn of_windows(
     asperity_share: f64,
 ) -> Result<Option<WindowSampling>, PositionError> {
     let (window, widest) = (loaded.case.model.window, widest(nominal.path));
-    let independent = Independent::of(&loaded.surfaces, window, widest)?;
+    let independent = Independent::new(&loaded.surfaces, window, widest)?;
     let positions = losses_of_positions(nominal.path);
     let offsets = nominal.summary.offsets;
     let found = independent
@@ -766,7 +771,7 @@ fn of_surrogates(logs: &[f64], asperity_share: f64) -> SamplingError {
 
 /// Standard error of ln loss by the sampling of the flanks.
 pub(super) fn standard_error(loaded: &OperatingCase, nominal: &Nominal<'_>) -> Result<f64, Error> {
-    let share = Path::of(nominal.path).asperity_share;
+    let share = Path::from_rows(nominal.path).asperity_share;
     Ok(sampling_error(loaded, nominal, share)?.standard_error)
 }
 

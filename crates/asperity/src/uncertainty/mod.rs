@@ -168,7 +168,7 @@ pub(crate) fn run_and_draw(loaded: &LoadedCase, options: &Options<'_>) -> Result
 /// # Errors
 /// As [`Run::losses`](crate::Run::losses), of misplaced traces.
 pub fn standard_error(loaded: &OperatingCase, nominal: &Losses) -> Result<f64, Error> {
-    evaluations::standard_error(loaded, &Nominal::of(nominal))
+    evaluations::standard_error(loaded, &Nominal::from_losses(nominal))
 }
 
 /// Adds the equations of the uncertainty to the equations of the run.
@@ -211,7 +211,7 @@ fn uncertainty(
     // A cancelled model is not one without solution.
     checkpoint()?;
     let draws_w = predictive.draws_w();
-    let Quantiles { drawn, sd_ln } = Quantiles::of(&draws_w);
+    let Quantiles { drawn, sd_ln } = Quantiles::from_draws(&draws_w);
     let to_median = match predictive.at_medians_w > 0.0 {
         true => drawn.value / predictive.at_medians_w,
         false => 1.0,

@@ -52,7 +52,7 @@ pub(super) fn predictive_of(
         return Ok(None);
     }
     let found = settled(loaded, &Options::known(windows.contacts))?;
-    let evaluated = evaluate(&found, &Nominal::of(nominal), windows, &|_| {})?;
+    let evaluated = evaluate(&found, &Nominal::from_losses(nominal), windows, &|_| {})?;
     Ok(Some(evaluated.predictive))
 }
 
@@ -86,7 +86,12 @@ fn by_records(
     let fast = by_solved_contacts(loaded)?;
     let contacts = contacts_of(&fast, &[])?;
     let losses = evaluated(&fast, Some(&contacts))?;
-    let mut found = by_contacts(&fast, &Nominal::of(&losses), Windows::few(&contacts), done)?;
+    let mut found = by_contacts(
+        &fast,
+        &Nominal::from_losses(&losses),
+        Windows::few(&contacts),
+        done,
+    )?;
     let summary = nominal.summary;
     let predictive = &mut found.predictive;
     predictive.at_medians_w = summary.loss_w;

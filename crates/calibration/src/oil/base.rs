@@ -102,7 +102,8 @@ impl OilBase {
         let family = lubricant.base_oil();
         let family = family.ok_or_else(|| oil(asperity::oil::LubricantError::no_base_oil()))?;
         let constants = lubricant.traction_constants(family).map_err(oil)?;
-        let rheology = FilmRheology::of(&lubricant, family, constants, GOLD_TEMPERATURE);
+        let rheology =
+            FilmRheology::from_lubricant(&lubricant, family, constants, GOLD_TEMPERATURE);
         Ok(Self {
             name: name.to_owned(),
             lubricant: input,

@@ -211,7 +211,7 @@ impl OilFit {
     /// # Errors
     /// When too few points are kept or their pressure is too low, no law explains them, or the constants are those of no
     /// oil.
-    pub fn of(oil: &OilBase, readings: Readings, settings: FitSettings) -> Result<Self, Fault> {
+    pub fn new(oil: &OilBase, readings: Readings, settings: FitSettings) -> Result<Self, Fault> {
         let Readings { all, sources, .. } = readings;
         let points = set_points(&all);
         let judged = try_par_map(&points, |point| judge(oil, point))?;
@@ -221,7 +221,7 @@ impl OilFit {
             .map(|(point, _)| point.clone())
             .collect();
         refuse_points(&points, &judged, kept.len())?;
-        let priors = Priors::of(oil, settings.is_wide);
+        let priors = Priors::new(oil, settings.is_wide);
         let FitSettings { zero, errors, .. } = settings;
         let before = expected(oil, priors, zero, errors, &kept)?;
         let laws = [PressureLaw::Barus, PressureLaw::Roelands];
@@ -361,7 +361,7 @@ impl OilFit {
                 "{name} = {value} {unit}: that of no known oil, {low} to {high}"
             ));
         }
-        let family = Priors::of(best.problem.oil, false);
+        let family = Priors::new(best.problem.oil, false);
         for k in [0, FACTOR] {
             let shift = best.x[k] * best.problem.priors.constants[k];
             let deviations = shift / family.constants[k];

@@ -80,7 +80,7 @@ pub fn read_pcs(
         let cells: Vec<&str> = cells.map(|cell| cell.trim().trim_matches('"')).collect();
         if starts_step(line) {
             (step, columns) = (step + 1, None);
-        } else if let Some(found) = Columns::of(&cells, probe) {
+        } else if let Some(found) = Columns::from_cells(&cells, probe) {
             columns = Some(found);
         } else if cells.iter().all(|cell| cell.is_empty()) {
             columns = None;
@@ -231,7 +231,7 @@ struct Columns {
 }
 
 impl Columns {
-    fn of(cells: &[&str], probe: Probe) -> Option<Self> {
+    fn from_cells(cells: &[&str], probe: Probe) -> Option<Self> {
         let named = |name: &str| cells.iter().rposition(|cell| *cell == name);
         let beginning = |names: [&str; 2]| {
             let is_it = |cell: &&str| names.iter().any(|name| cell.starts_with(name));

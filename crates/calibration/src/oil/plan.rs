@@ -198,7 +198,7 @@ pub(crate) fn stages_of_case(
     case: (&LoadedCase, &Contacts),
     settings: &PlanSettings,
 ) -> Result<([Stage; 2], f64), Fault> {
-    let priors = Priors::of(oil, settings.is_wide);
+    let priors = Priors::new(oil, settings.is_wide);
     let slopes = loss_slopes(case.0, Some(case.1), priors)?;
     let planner = Planner {
         oil,
@@ -227,19 +227,19 @@ impl OilPlan {
     /// use asperity_calibration::oil::{OilBase, OilPlan, OilPlanSettings};
     /// use asperity_report::Settings;
     /// let settings = OilPlanSettings::usual()?.plan()?;
-    /// let plan = OilPlan::of(&OilBase::of_library("m100")?, None, &settings)?;
+    /// let plan = OilPlan::new(&OilBase::of_library("m100")?, None, &settings)?;
     /// assert_eq!((plan.curves.len(), plan.points.len()), (12, 120));
     /// // A full plan leaves less of each error than one curve.
     /// let left = |stage: usize| plan.stages[stage].constants.iter().map(|one| one.share);
     /// assert!(left(3).zip(left(1)).all(|(full, one)| full <= one));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(
+    pub fn new(
         oil: &OilBase,
         case: Option<&LoadedCase>,
         settings: &PlanSettings,
     ) -> Result<Self, Fault> {
-        let priors = Priors::of(oil, settings.is_wide);
+        let priors = Priors::new(oil, settings.is_wide);
         let slopes = case
             .map(|case| loss_slopes(case, None, priors))
             .transpose()?;

@@ -25,7 +25,7 @@ impl StudySettings for OilPlanSettings {
     }
 
     fn run(&self, given: OilOfCase, watch: &Watch<'_>) -> Result<OilPlan, Fault> {
-        let plan = OilPlan::of(&given.oil, given.case.as_ref(), &self.plan()?)?;
+        let plan = OilPlan::new(&given.oil, given.case.as_ref(), &self.plan()?)?;
         let remaining_width = match given.case {
             // The interval of a case has the constants of its oil.
             Some(case) if given.is_of_case => {

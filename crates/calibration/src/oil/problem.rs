@@ -88,7 +88,7 @@ impl Priors {
 
     /// Priors of an oil, of its family or wide.
     #[must_use]
-    pub const fn of(oil: &OilBase, is_wide: bool) -> Self {
+    pub const fn new(oil: &OilBase, is_wide: bool) -> Self {
         match is_wide {
             true => Self::wide(),
             false => Self::family(oil.deviations),

@@ -114,7 +114,7 @@ impl Stribeck {
     /// # Errors
     /// When a reading does not state the time of rubbing, all specimens are new, too few points are in boundary lubrication,
     /// or their friction depends on the speed.
-    pub fn of(oil: &OilBase, readings: Readings) -> Result<Self, Fault> {
+    pub fn new(oil: &OilBase, readings: Readings) -> Result<Self, Fault> {
         let Readings { all, sources, .. } = readings;
         if let Some(reading) = all.iter().find(|one| one.rubbing_s.is_none()) {
             return Err(oil_error::no_rubbing(&reading.file, reading.line));

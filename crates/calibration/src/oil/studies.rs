@@ -234,7 +234,7 @@ impl StudySettings for TractionSettings {
                 .collect(),
             boundary_friction,
         };
-        TractionCurves::of(&oil, &range)
+        TractionCurves::new(&oil, &range)
     }
 }
 
@@ -293,7 +293,7 @@ impl StudySettings for OilFitSettings {
                 self.temperature_column,
             )?);
         }
-        OilFit::of(&given.oil, readings, settings)
+        OilFit::new(&given.oil, readings, settings)
     }
 }
 
@@ -384,6 +384,6 @@ impl StudySettings for StribeckSettings {
             }
             all.append(readings);
         }
-        Stribeck::of(&given.oil, all)
+        Stribeck::new(&given.oil, all)
     }
 }

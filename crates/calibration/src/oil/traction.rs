@@ -142,11 +142,11 @@ impl TractionCurves {
     ///     load: "30 N".parse()?, mean_speed: "2 m/s".parse()?, slide_to_roll: 0.05,
     ///     temperatures: vec!["40 °C".parse()?, "120 °C".parse()?], boundary_friction: 0.09,
     /// };
-    /// let curves = TractionCurves::of(&OilBase::of_library("m100")?, &range)?;
+    /// let curves = TractionCurves::new(&OilBase::of_library("m100")?, &range)?;
     /// assert!(curves.over_slide.iter().all(|point| point.film_ratio >= 3.0 && point.traction < 0.05));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(oil: &OilBase, range: &TractionRange) -> Result<Self, Fault> {
+    pub fn new(oil: &OilBase, range: &TractionRange) -> Result<Self, Fault> {
         let slide = range.slide_to_roll;
         let rule = "must be positive and at most 2 (200 % is pure sliding)";
         let is_valid = slide > 0.0 && slide <= 2.0;

@@ -190,7 +190,7 @@ impl Files {
 
     /// Contents of the files with these sums.
     pub(crate) fn contents(&self, sums: &FileSums) -> Result<FileContents, CaseError> {
-        let reader = Reader::of(self);
+        let reader = Reader::new(self);
         let content = |(name, sum): (&PathBuf, &String)| match reader.content(name) {
             Ok((content, now)) if now == *sum => Ok((name.clone(), content)),
             _ => Err(CaseError::file_changed(
@@ -269,7 +269,7 @@ impl Files {
 
     /// Sums of the files with these names; those that cannot be read are left out.
     pub(crate) fn sums_of_names(&self, names: impl Iterator<Item = PathBuf>) -> FileSums {
-        let reader = Reader::of(self);
+        let reader = Reader::new(self);
         for name in &names.collect::<BTreeSet<PathBuf>>() {
             // A file that cannot be read is an error of the case that needs it.
             let _ = reader.content(name);
@@ -287,7 +287,7 @@ pub(crate) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    pub(crate) fn of(files: &'a Files) -> Self {
+    pub(crate) fn new(files: &'a Files) -> Self {
         Self {
             files,
             sums: RefCell::default(),

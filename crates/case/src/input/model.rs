@@ -215,9 +215,9 @@ pub(crate) fn model(
         has_solutions: false,
         has_records: false,
     };
-    let mut model = Model::of(stated, &formulation.defaults, &mut choices)?;
+    let mut model = Model::from_input(stated, &formulation.defaults, &mut choices)?;
     model.friction_settings.xu.roughness = formulation.xu_roughness;
-    let paper = PaperChoices::of(of_paper, &PaperInput::default(), &mut choices)?;
+    let paper = PaperChoices::from_input(of_paper, &PaperInput::default(), &mut choices)?;
     Ok((model, paper))
 }
 
@@ -282,7 +282,7 @@ impl Choices<'_> {
         let is_flooded = share == LoadShareName::Ehl || film != FullFilmName::Formulas;
         if is_flooded {
             let rule = "starves the film of the formulas in the corrected formulation; leave it out or choose these";
-            return Err(Section::of(self.source, key).conflict("", rule));
+            return Err(Section::new(self.source, key).conflict("", rule));
         }
         let rule = "must be above 0 and at most 1 mm";
         let holds = layer.si() > 0.0 && layer.si() <= 1e-3;
@@ -307,7 +307,7 @@ impl Choices<'_> {
         let point = match (self.formulation.positions, stated.value()) {
             (Positions::Single, None) if !has_pitch => {
                 let rule = "the pitch point lies outside the path of contact, so paper.position needs a value from 0 (A) to 1 (E)";
-                return Err(Section::of(self.source, "gears").conflict("", rule));
+                return Err(Section::new(self.source, "gears").conflict("", rule));
             }
             (Positions::AlongPath, None) if !has_pitch => PathPoint::Fraction(0.5),
             (Positions::Single, stated) => self.defaults.take(key, stated, pitch),
@@ -337,7 +337,7 @@ impl Choices<'_> {
         let chosen = self.default(key, stated, eyring)?;
         if chosen == FrictionLaw::Constant.into() {
             let rule = "needs its coefficient, as { constant = 0.05 }";
-            return Err(Section::of(self.source, key).conflict("", rule));
+            return Err(Section::new(self.source, key).conflict("", rule));
         }
         chosen.check().map_err(domain(self.source, key))?;
         Ok(chosen)
@@ -354,6 +354,6 @@ impl Choices<'_> {
         self.has_records = share == LoadShareName::Ehl || film == FullFilmName::EhlTransient;
         self.has_solutions = self.has_records || film == FullFilmName::Ehl;
         let by_formulation = stated.by_formulation.unwrap_or_default();
-        EhlChoices::of(&stated.by_case.unwrap_or_default(), &by_formulation, self)
+        EhlChoices::from_input(&stated.by_case.unwrap_or_default(), &by_formulation, self)
     }
 }

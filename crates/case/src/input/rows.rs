@@ -475,7 +475,7 @@ macro_rules! choices {
 
         impl $choice {
             /// Fills in every key, lists the defaults used, and checks the numbers.
-            fn of(
+            fn from_input(
                 stated: &$input,
                 by_formulation: &$input,
                 at: &mut $context,

@@ -18,7 +18,7 @@
 //!     fn traction(&self, at: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError> {
 //!         let width = 2.0 * at.half_width.si();
 //!         let coefficient = 0.03 + 1e6 * width / at.position.load.si();
-//!         Ok(Checked::inside(FilmTraction::of(coefficient)))
+//!         Ok(Checked::inside(FilmTraction::from_coefficient(coefficient)))
 //!     }
 //! }
 //!

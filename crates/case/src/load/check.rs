@@ -73,7 +73,7 @@ fn all(
     }
     errors.extend(impossible(&OfAllMeshes(&input), source));
     let files = Files::in_folder(folder);
-    let parts = match input.parts(source, Reader::of(&files)) {
+    let parts = match input.parts(source, Reader::new(&files)) {
         Ok(parts) => parts,
         Err(error) => {
             let is_blamed = CaseInput::NAMED.iter().any(|table| mending.is_known(table));
@@ -104,7 +104,7 @@ fn all(
         errors.extend(of_mesh.into_iter().filter(is_new));
     }
     let is_whole = cases.len() == parts.meshes().count();
-    is_whole.then(|| Train::of(parts, cases, input))
+    is_whole.then(|| Train::from_parts(parts, cases, input))
 }
 
 /// Identity of an error: its code with its line, or with its text if it has no line.

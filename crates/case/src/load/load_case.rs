@@ -109,12 +109,12 @@ fn read(
     };
     if let Some(resolver) = resolver {
         files.gather_tables(input.own_tables(), source, resolver)?;
-        for (case, mesh) in input.of_meshes(source, Reader::of(&files))? {
+        for (case, mesh) in input.of_meshes(source, Reader::new(&files))? {
             files.gather(&case, &in_mesh(mesh.as_ref()), resolver)?;
         }
     }
     let files = Arc::new(files);
-    Train::made_of(input, source, Reader::of(&files), &|stated, mesh| {
+    Train::made_of(input, source, Reader::new(&files), &|stated, mesh| {
         let mut case = stated.clone();
         change(&mut case);
         keep_oil(stated, &mut case);

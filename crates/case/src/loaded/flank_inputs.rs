@@ -43,7 +43,7 @@ pub(crate) struct FlankInputs {
 }
 
 impl FlankInputs {
-    pub(crate) fn of(case: &Case) -> Self {
+    pub(crate) fn from_case(case: &Case) -> Self {
         let stated = &case.input.gears;
         let form_of_trace = [&stated.pinion, &stated.wheel]
             .map(|flank| flank.as_ref().is_some_and(GearFlankInput::is_from_trace));

@@ -104,7 +104,7 @@ pub(crate) fn traces_of(
     keys: &Keys,
     context: Context<'_>,
 ) -> Result<Vec<Listed>, CaseError> {
-    let section = Section::of(context.source, keys.table);
+    let section = Section::new(context.source, keys.table);
     let Some(list) = &input.traces else {
         return match (input.rows, &input.file) {
             (None, _) => Ok(vec![Listed::alone(input)]),
@@ -135,7 +135,7 @@ pub(crate) fn flank(
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Known, CaseError> {
-    let section = Section::of(context.source, keys.table);
+    let section = Section::new(context.source, keys.table);
     let input = &listed.input;
     let value = input.rq.or(input.ra).or(input.rz);
     if let Some(generated) = &listed.generated {
@@ -235,7 +235,7 @@ fn trace(
 ) -> Result<Known, CaseError> {
     let (inputs, input) = (context.inputs, &listed.input);
     let gear = gear_of(keys.table);
-    let mut source = Opened::of(listed, keys, context)?;
+    let mut source = Opened::new(listed, keys, context)?;
     let of_trace = TraceInputs {
         name,
         options: &read_options(input),
@@ -300,7 +300,7 @@ struct Opened {
 }
 
 impl Opened {
-    fn of(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Self, CaseError> {
+    fn new(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Self, CaseError> {
         if let Some(generated) = &listed.generated {
             return Ok(Self {
                 source: Err(Content::Heights(generated.heights.clone())),

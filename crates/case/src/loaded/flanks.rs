@@ -59,7 +59,7 @@ pub(crate) fn flanks(
     files: &Files,
 ) -> Result<Flanks, CaseError> {
     let provenance = Provenance::new();
-    let reader = Reader::of(files);
+    let reader = Reader::new(files);
     let scans = Scans::default();
     let context = Context {
         inputs,
@@ -78,7 +78,7 @@ pub(crate) fn flanks(
 fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     let inputs = context.inputs;
     let mut warnings = Vec::new();
-    let mut named = NamedTraces::of(context, &mut warnings)?;
+    let mut named = NamedTraces::new(context, &mut warnings)?;
     let known_of = |named: &NamedTraces, body: usize, warnings: &mut Vec<Warning>| {
         let each = named.lists[body].iter();
         let each = each.map(|trace| flank(trace, &named.keys[body], context, warnings));

@@ -47,7 +47,7 @@ pub(crate) fn generated(
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Vec<Listed>, CaseError> {
-    let section = Section::of(context.source, keys.table);
+    let section = Section::new(context.source, keys.table);
     let of_value = input.rq.or(input.ra).or(input.rz).is_some();
     if input.file.is_some() || input.traces.is_some() || input.rows.is_some() || of_value {
         let rule = "is given instead of file, traces, rows, rq, ra and rz; give one of them";
@@ -146,7 +146,7 @@ fn wanted(
     keys: &Keys,
     context: Context<'_>,
 ) -> Result<Option<Wanted>, CaseError> {
-    let section = Section::of(context.source, keys.table);
+    let section = Section::new(context.source, keys.table);
     let Some(list) = &input.after else {
         let rule = "needs after, the traces after the test";
         return match (input.state, input.engagements) {
@@ -192,7 +192,7 @@ fn measured_traces(
     keys: &Keys,
     context: Context<'_>,
 ) -> Result<Vec<Measured>, CaseError> {
-    let section = Section::of(context.source, keys.table);
+    let section = Section::new(context.source, keys.table);
     let traces = listed(input, (key, list), section, context.files)?;
     let is_placed = |trace: &Listed| trace.input.at.is_some() || trace.input.from.is_some();
     let is_sited = |trace: &Listed| trace.site.number.is_some() || trace.site.y.is_some();

@@ -61,7 +61,7 @@ pub(crate) fn median_lay(
     context: Context<'_>,
 ) -> Option<Lay> {
     let found = of_surface(listed, flank, keys, context)?.finding.ok()?;
-    Lay::new(FlankLay::of(&found)?.at(0.0)).ok()
+    Lay::new(FlankLay::from_rows(&found)?.at(0.0)).ok()
 }
 
 /// Lays of pinion and wheel, each from the surface of its first trace.
@@ -97,7 +97,7 @@ pub(crate) fn lays(
         let text = match found {
             None => "assumed, 0 to 1/6".to_owned(),
             Some(Measured { file, finding }) => match finding {
-                Ok(lay) => match FlankLay::of(lay) {
+                Ok(lay) => match FlankLay::from_rows(lay) {
                     Some(own) => {
                         of_flanks[body] = own;
                         written(lay, file)
@@ -142,7 +142,7 @@ impl Measured {
             Err(reason) => format!(
                 "{file} does not show the lay of the {flank}: {reason}. It is assumed to be 0 to 1/6"
             ),
-            Ok(lay) if FlankLay::of(lay).is_none() => format!(
+            Ok(lay) if FlankLay::from_rows(lay).is_none() => format!(
                 "{file} does not show the lay of the {flank}: the ridges are longer than half of the surface, so that it is between {:.2} and {:.2}. It is assumed to be 0 to 1/6",
                 lay.range[0],
                 lay.range[1].min(1.0)

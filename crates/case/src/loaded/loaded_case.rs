@@ -447,7 +447,7 @@ impl LoadedCase {
 
     /// Reader of the files of the case.
     pub(crate) fn reader(&self) -> Reader<'_> {
-        Reader::of(&self.files)
+        Reader::new(&self.files)
     }
 
     pub(crate) fn built(input: CaseInput, files: Files) -> Result<Self, Error> {
@@ -518,7 +518,7 @@ pub(crate) fn complete(
     });
     let flanks = Derived::renewed(
         known.map(|known| &known.flanks),
-        provenance.collect(|| FlankInputs::of(&case)),
+        provenance.collect(|| FlankInputs::from_case(&case)),
         |inputs| flanks(inputs, source, &files),
     )?;
     let of_flanks = flanks.value();
@@ -560,7 +560,7 @@ pub(crate) fn complete(
     if overrides.are_none() {
         return Ok(plain);
     }
-    let refused = |error: Error| Section::of(source, "model").value("lay", error.to_string());
+    let refused = |error: Error| Section::new(source, "model").value("lay", error.to_string());
     plain.overridden(|over| *over = overrides).map_err(refused)
 }
 
@@ -573,7 +573,7 @@ fn check_flanks(
 ) -> Result<Derived<Option<LoadCheck>, ()>, CaseError> {
     let surfaces = &flanks.surfaces;
     if case.running_in.is_some() && (!surfaces.are_measured() || surfaces.is_surrogate()) {
-        let section = Section::of(source, "operation");
+        let section = Section::new(source, "operation");
         return Err(section.conflict(
             "running_in",
             "needs the traces of both flanks, files of surface.pinion and surface.wheel",
@@ -638,7 +638,7 @@ fn refuse_several(case: &Case, source: &Source) -> Result<(), CaseError> {
         Some((key, _)) => {
             let rule =
                 "is of one pair of traces: name one trace of each flank, as surface.pinion.file";
-            Err(Section::of(source, "model").conflict(key, rule))
+            Err(Section::new(source, "model").conflict(key, rule))
         }
     }
 }
@@ -670,8 +670,8 @@ fn xu_calibration(
     let Some(file) = file else {
         return Ok((None, Arc::default()));
     };
-    let reader = Reader::of(files);
-    let refused = |message: String| Section::of(source, XU_COEFFICIENTS).value("", message);
+    let reader = Reader::new(files);
+    let refused = |message: String| Section::new(source, XU_COEFFICIENTS).value("", message);
     let Content::Bytes(bytes) = reader.open(file, source, XU_COEFFICIENTS)?.0 else {
         return Err(refused("names a trace, not coefficients".to_owned()));
     };
@@ -691,7 +691,7 @@ fn gearbox_of_one_mesh(
     let Some(stated) = stated else {
         return Ok((None, Arc::default()));
     };
-    let reader = Reader::of(files);
+    let reader = Reader::new(files);
     let places = vec![MeshPlace::default()];
     let parts = stated.gearbox(places, &Shafting::shafts_of_one_mesh(), (source, &reader))?;
     Ok((Some(parts), reader.into_sums().into()))

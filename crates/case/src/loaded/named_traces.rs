@@ -36,7 +36,7 @@ fn named(
             ];
             match stated.into_iter().find(|(_, is_stated)| *is_stated) {
                 Some((key, _)) => {
-                    let section = Section::of(context.source, keys.table);
+                    let section = Section::new(context.source, keys.table);
                     Err(section.conflict(key, "needs like, the traces to generate others like"))
                 }
                 None => traces_of(input, keys, context),
@@ -59,7 +59,10 @@ pub(crate) struct NamedTraces {
 
 impl NamedTraces {
     /// Lists the traces; of too many teeth those that are paired.
-    pub(crate) fn of(context: Context<'_>, warnings: &mut Vec<Warning>) -> Result<Self, CaseError> {
+    pub(crate) fn new(
+        context: Context<'_>,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Self, CaseError> {
         let Context { inputs, source, .. } = context;
         let (pinion_input, own_wheel) = inputs.surface.of_side(inputs.side);
         // Flanks face each other: a wheel without a trace has the trace of the pinion, mirrored.
@@ -128,7 +131,7 @@ impl NamedTraces {
         rows: usize,
         source: &Source,
     ) -> Result<(), CaseError> {
-        let section = Section::of(source, self.keys[body].table);
+        let section = Section::new(source, self.keys[body].table);
         let whole = FlankInput {
             row: None,
             ..self.lists[body][0].input.clone()

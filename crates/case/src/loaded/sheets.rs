@@ -34,7 +34,7 @@ pub(crate) fn sheets_of(
     (keys, is_scan, lays): (&[Keys; 2], [bool; 2], &Lays),
     warnings: &mut Vec<Warning>,
 ) -> Result<Arc<Sheets>, CaseError> {
-    let section = Section::of(context.source, "surface");
+    let section = Section::new(context.source, "surface");
     if !context.inputs.has_patches {
         let rule = "patch needs the solved contact and a flooded inlet, and has no running-in; leave formulation, model.load_share, model.inlet_layer and operation.running_in at their defaults, or set surface.contact = \"lines\"";
         return Err(section.conflict("contact", rule));
@@ -56,7 +56,7 @@ pub(crate) fn sheets_of(
             let measured = lays.measured(body);
             let stated = context.inputs.lay.map(|lay| lay[body]);
             let lay = stated.or(measured).unwrap_or(Lay::ACROSS).gamma();
-            let made = MadeSheet::of(body, lay);
+            let made = MadeSheet::new(body, lay);
             let of = match (stated, measured) {
                 (Some(_), _) => ["stated", ""],
                 (None, Some(_)) => [
@@ -91,7 +91,7 @@ pub(crate) fn sheets_of(
         RoughnessError::Domain(error) => section.domain("contact")(error),
         other => CaseError::preparation("surface", other),
     };
-    Ok(Arc::new(Sheets::of(both, along).map_err(refused)?))
+    Ok(Arc::new(Sheets::new(both, along).map_err(refused)?))
 }
 
 /// W458: the surface of a flank that was made from its trace.
@@ -172,7 +172,7 @@ pub(crate) fn whole(
     keys: &Keys,
     context: Context<'_>,
 ) -> Result<PreparedSurface, CaseError> {
-    let section = Section::of(context.source, "surface");
+    let section = Section::new(context.source, "surface");
     let input = &listed.input;
     let missing = || section.conflict("contact", "patch needs a scan of each flank as file");
     let (Some(reading), Some(record)) = (
@@ -185,7 +185,7 @@ pub(crate) fn whole(
     let (surface, name) = (&scan.surface, scan.surface.name.clone());
     if scan.missing(input.range) > 0.0 && input.gaps == Some(Gaps::Refuse) {
         let rule = "refuse: the scan has points without a height; leave gaps out, and lines between their neighbours are in their place";
-        return Err(Section::of(context.source, keys.table).conflict("gaps", rule));
+        return Err(Section::new(context.source, keys.table).conflict("gaps", rule));
     }
     let (mut z, columns) = (Cow::Borrowed(&*surface.z), surface.columns);
     let rows = z.len().checked_div(columns).unwrap_or(0);

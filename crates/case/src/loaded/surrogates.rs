@@ -95,7 +95,7 @@ fn known_of(
     (input, keys): (&FlankInput, &Keys),
     assumed: &mut Vec<DefaultUsed>,
 ) -> Result<KnownFlank, CaseError> {
-    let section = Section::of(context.source, keys.table);
+    let section = Section::new(context.source, keys.table);
     let stated = [
         (StatedParameter::Ra, input.ra),
         (StatedParameter::Rq, input.rq),
@@ -108,7 +108,7 @@ fn known_of(
     let surface = &context.inputs.surface;
     let (finish, of) = match input.finish {
         Some(finish) => (Some(finish), section),
-        None => (surface.finish, Section::of(context.source, "surface")),
+        None => (surface.finish, Section::new(context.source, "surface")),
     };
     let finishes = match finish {
         Some(finish) => {

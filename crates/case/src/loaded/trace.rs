@@ -51,7 +51,7 @@ impl Trace {
         }
         let profile = Profile::new(spacing, heights.to_vec())
             .map_err(|error| refused(impossible(error.name, error.value)))?;
-        Ok(Self::of(
+        Ok(Self::new(
             Some(Content::Heights(Arc::new(profile.into()))),
             None,
         ))
@@ -64,13 +64,13 @@ impl Trace {
         options: ReadOptions,
     ) -> Self {
         let bytes: Vec<u8> = bytes.into();
-        let trace = Self::of(Some(Content::Bytes(bytes.into())), Some(name.into()));
+        let trace = Self::new(Some(Content::Bytes(bytes.into())), Some(name.into()));
         Self { options, ..trace }
     }
 
     /// A file, relative to the working directory, read with `options` when the case is built.
     pub fn from_file(path: impl Into<PathBuf>, options: ReadOptions) -> Self {
-        let trace = Self::of(None, Some(path.into()));
+        let trace = Self::new(None, Some(path.into()));
         Self { options, ..trace }
     }
 
@@ -83,7 +83,7 @@ impl Trace {
         }
     }
 
-    fn of(content: Option<Content>, name: Option<PathBuf>) -> Self {
+    fn new(content: Option<Content>, name: Option<PathBuf>) -> Self {
         Self {
             content,
             name,

@@ -30,7 +30,7 @@ pub(crate) struct ReliefInputs {
 
 impl ReliefInputs {
     /// The inputs of a case whose load is `load`.
-    pub(crate) fn of(input: &CaseInput, load: &LoadInputs) -> Self {
+    pub(crate) fn new(input: &CaseInput, load: &LoadInputs) -> Self {
         let flanks = [input.gears.pinion, input.gears.wheel].map(Option::unwrap_or_default);
         let own = load.torque.si().abs();
         let most = input.map.and_then(|map| map.torque_max);
@@ -57,7 +57,7 @@ impl AssumedRelief {
     ///
     /// # Errors
     /// When the load over the teeth has no solution without relief.
-    pub(crate) fn of(inputs: &ReliefInputs) -> Result<Option<Self>, GearError> {
+    pub(crate) fn from_inputs(inputs: &ReliefInputs) -> Result<Option<Self>, GearError> {
         let ReliefInputs { load, unstated } = inputs;
         let path = load.gears.path();
         let beyond = path.eps_alpha - 1.0;

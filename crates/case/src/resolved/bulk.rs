@@ -74,7 +74,7 @@ fn checked(
     else {
         return Ok(None);
     };
-    let section = Section::of(source, "operation.bulk");
+    let section = Section::new(source, "operation.bulk");
     if model.load_share == LoadShareName::Ehl || model.full_film != FullFilmName::Formulas {
         let rule = "runs the mesh some twenty times, which ehl solutions make too long; find the temperature with load_share = \"solved\" and state it as operation.bulk_temperature";
         return Err(section.conflict_of_key("", rule));

@@ -26,7 +26,7 @@ pub(crate) fn check(
     model: &ModelInput,
     source: &Source,
 ) -> Result<(), CaseError> {
-    let section = Section::of(source, "calibration");
+    let section = Section::new(source, "calibration");
     // The other keys need no check.
     let CalibrationInput {
         source: _,

@@ -140,7 +140,7 @@ impl GearboxInput {
         train: &GearTrain,
         (source, files): (&Source, &Reader<'_>),
     ) -> Result<Gearbox, CaseError> {
-        let section = Section::of(source, "gearbox");
+        let section = Section::new(source, "gearbox");
         let shaft_of = |key, name: &str| shaft_of((train, &places), section, key, name);
         let (mut parts, mut warnings) = (Vec::new(), Vec::new());
         for (number, seal) in self.seals.iter().enumerate() {

@@ -24,7 +24,7 @@ const FLANKS: [&str; 2] = ["gears.pinion", "gears.wheel"];
 
 /// The flanks of both gears, each with its table.
 fn flanks<'a>(gears: &GearsInput, source: &'a Source) -> [(GearFlankInput, Section<'a>); 2] {
-    let [pinion, wheel] = FLANKS.map(|table| Section::of(source, table));
+    let [pinion, wheel] = FLANKS.map(|table| Section::new(source, table));
     [
         (gears.pinion.unwrap_or_default(), pinion),
         (gears.wheel.unwrap_or_default(), wheel),
@@ -82,7 +82,7 @@ pub(crate) fn gears(
     };
     if z1 < 0 {
         let rule = "only the wheel may be a ring, with a negative number, as [24, -75]";
-        return Err(Section::of(source, "gears").conflict("teeth", rule));
+        return Err(Section::new(source, "gears").conflict("teeth", rule));
     }
     let geometry = GearPairInput {
         teeth: [z1.unsigned_abs(), z2.unsigned_abs()],
@@ -171,7 +171,7 @@ pub(crate) fn micro_geometry(
         let rule = "must be 0 to 1 module";
         check("fillet_radius", flank.fillet_radius, [0.0, 1.0], rule)?;
     }
-    let section = Section::of(source, "gears");
+    let section = Section::new(source, "gears");
     let end_relief = |EndReliefInput {
                           amount,
                           length,

@@ -19,7 +19,7 @@ pub(crate) fn oil_file(
         None => Ok((None, Arc::default())),
         Some(_) => {
             let message = "is read only by a build with feature case-files";
-            Err(Section::of(source, OIL_FILE).value("", message))
+            Err(Section::new(source, OIL_FILE).value("", message))
         }
     }
 }

@@ -310,7 +310,7 @@ impl OilFile {
         let law = self.film_friction.pressure_law;
         if model.film_pressure_law.is_some_and(|own| own != law) {
             let rule = "is not the law of pressure that the constants of lubricant.oil_file were fitted by; leave it out, or fit the curves again";
-            return Err(Section::of(source, "model").conflict("film_pressure_law", rule));
+            return Err(Section::new(source, "model").conflict("film_pressure_law", rule));
         }
         Ok(ModelInput {
             film_pressure_law: Some(law),

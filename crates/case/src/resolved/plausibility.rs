@@ -117,7 +117,7 @@ impl AtPitchPoint {
         if self.value < self.most {
             return Ok(());
         }
-        let key = Section::of(source, "operation").key(self.key);
+        let key = Section::new(source, "operation").key(self.key);
         let seen = format!(
             "a Hertz pressure of {} GPa at the pitch point, where the softer flank flows as a whole at {} GPa,",
             decimals(self.value, 1),
@@ -141,7 +141,7 @@ impl AtPitchPoint {
         if self.value <= self.most {
             return Ok(());
         }
-        let key = Section::of(source, "operation").key(self.key);
+        let key = Section::new(source, "operation").key(self.key);
         let seen = format!(
             "a {} of {} {}",
             self.name,

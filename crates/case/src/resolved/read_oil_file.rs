@@ -37,10 +37,10 @@ pub(crate) fn oil_file(
     let Some(name) = name else {
         return Ok((None, Arc::default()));
     };
-    let reader = Reader::of(files);
+    let reader = Reader::new(files);
     let Content::Bytes(bytes) = reader.open(name, source, OIL_FILE)?.0 else {
         let message = "names a trace, not an oil file";
-        return Err(Section::of(source, OIL_FILE).value("", message));
+        return Err(Section::new(source, OIL_FILE).value("", message));
     };
     let file = Source::from_bytes(&files.path_of(name).display().to_string(), &bytes)?;
     let file = OilFile::of_source(&file)?;
@@ -90,8 +90,8 @@ impl OilFile {
 
     /// Refuses bands that do not contain their value, and correlations that contradict each other.
     fn check(&self, source: &Source) -> Result<(), CaseError> {
-        let lubricant = Section::of(source, "lubricant");
-        let section = Section::of(source, "film_friction");
+        let lubricant = Section::new(source, "lubricant");
+        let section = Section::new(source, "film_friction");
         let LubricantInput {
             oil_file,
             pressure_viscosity_factor,
@@ -117,7 +117,7 @@ impl OilFile {
         let Some(other) = &self.other_law else {
             return Ok(());
         };
-        let section = Section::of(source, "other_law");
+        let section = Section::new(source, "other_law");
         if other.pressure_law == self.film_friction.pressure_law {
             let rule = "needs another law than film_friction";
             return Err(section.conflict("pressure_law", rule));

@@ -180,8 +180,8 @@ pub(crate) fn resolve_with(
     };
     let check = load_check(&model, formulation.positions(), &mesh);
     let assumes = formulation.assumes_relief();
-    let relief = assumes.then(|| ReliefInputs::of(&input, &check.load));
-    let teeth = SolvedTeeth::of(known, check, relief, source)?;
+    let relief = assumes.then(|| ReliefInputs::new(&input, &check.load));
+    let teeth = SolvedTeeth::new(known, check, relief, source)?;
     let assumed_relief = teeth.relief().cloned();
     note_relief(&input, assumed_relief.as_ref(), source, &mut defaults);
     if let Some(assumed) = &assumed_relief {
@@ -257,7 +257,7 @@ fn check_operation(
     (gears, modulus): (&GearPair, Pressure),
     source: &Source,
 ) -> Result<(), CaseError> {
-    let section = Section::of(source, "operation");
+    let section = Section::new(source, "operation");
     let (value, rule) = (torque.si(), "must be finite and not zero");
     let is_loaded = value.is_finite() && value != 0.0;
     DomainError::require(is_loaded, "torque", value, Torque::SI_UNIT, rule)
@@ -551,7 +551,7 @@ fn without_film_friction(input: &CaseInput, source: &Source) -> Result<(), CaseE
         None => Ok(()),
         Some((key, _)) => {
             let rule = "belongs to film friction by a shear stress, which this model does not have; leave it out";
-            Err(Section::of(source, "lubricant").conflict(key, rule))
+            Err(Section::new(source, "lubricant").conflict(key, rule))
         }
     }
 }
@@ -577,7 +577,7 @@ fn rheology(
     if let Some(fitted) = calibration.and_then(|fit| fit.eyring_stress) {
         constants.eyring_stress = fitted.value;
     }
-    let rheology = FilmRheology::of(lubricant, family, constants, bulk)?;
+    let rheology = FilmRheology::from_lubricant(lubricant, family, constants, bulk)?;
     let shear = model.film_friction.shear_law().unwrap_or_default();
     Ok(rheology.with_laws(shear, model.film_pressure_law))
 }
@@ -604,7 +604,7 @@ fn preparation(
         contact: _,
         coast: _,
     } = &input.surface;
-    let section = Section::of(source, "surface");
+    let section = Section::new(source, "surface");
     let cutoff = defaults.take("surface.cutoff", *cutoff, LAMBDA_C);
     let noise = defaults.take("surface.noise_cutoff", *noise_cutoff, LAMBDA_S);
     DomainError::non_negative("cut-off", cutoff).map_err(section.domain("cutoff"))?;
@@ -635,7 +635,7 @@ fn refuse_keys(
     }
     let stated = serde_json::to_value(input).unwrap_or_default();
     for &(key, rule) in refused {
-        let section = Section::of(source, key);
+        let section = Section::new(source, key);
         let error = match stated.pointer(&format!("/{}", key.replace('.', "/"))) {
             None | Some(Value::Null | Value::Bool(false)) => continue,
             Some(Value::Object(_)) => section.conflict_of_key("", rule),
@@ -650,7 +650,7 @@ fn check_micropitting(input: &CaseInput, source: &Source) -> Result<(), CaseErro
     let Some(stated) = &input.micropitting else {
         return Ok(());
     };
-    let section = Section::of(source, "micropitting");
+    let section = Section::new(source, "micropitting");
     let MicropittingInput {
         load_factor,
         permissible,
@@ -676,7 +676,7 @@ fn operating_temperature(
     operation: &OperationInput,
     source: &Source,
 ) -> Result<Temperature, CaseError> {
-    let section = Section::of(source, "operation");
+    let section = Section::new(source, "operation");
     let OperationInput {
         bulk_temperature,
         oil_temperature,

@@ -51,7 +51,7 @@ pub(crate) fn running_in(
     let Some(stated) = operation.running_in.and_then(|entry| entry.stated()) else {
         return Ok(None);
     };
-    let section = Section::of(source, "operation.running_in");
+    let section = Section::new(source, "operation.running_in");
     if let Some(torque) = stated.torque {
         let value = torque.si();
         let rule = "must be finite and not zero";

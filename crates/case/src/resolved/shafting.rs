@@ -66,7 +66,7 @@ pub struct MeshLoad {
 impl MeshLoad {
     /// Load of a case.
     #[must_use]
-    pub fn of(case: &Case) -> Self {
+    pub fn from_case(case: &Case) -> Self {
         Self {
             torque: case.torque,
             speed: case.speed,
@@ -124,7 +124,7 @@ impl Shafting {
     #[must_use]
     pub fn of_one_mesh(case: &Case) -> Self {
         let mut shafts = Self::shafts_of_one_mesh();
-        let load = MeshLoad::of(case);
+        let load = MeshLoad::from_case(case);
         shafts.shafts[Self::INPUT].speed = Some(load.speed);
         shafts.shafts[Self::INPUT].torque = Some(load.torque);
         shafts.stages[0].teeth[1] = case.gears.ratio;

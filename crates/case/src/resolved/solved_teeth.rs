@@ -48,7 +48,7 @@ pub(crate) struct SolvedTeeth {
 
 impl SolvedTeeth {
     /// Checks the load, and finds the relief of the gears that state none; `known` is not solved again.
-    pub(crate) fn of(
+    pub(crate) fn new(
         known: Option<&Self>,
         check: LoadCheck,
         relief: Option<ReliefInputs>,
@@ -59,7 +59,9 @@ impl SolvedTeeth {
         })?;
         let found = |inputs: &Option<ReliefInputs>| match inputs {
             None => Ok(None),
-            Some(inputs) => AssumedRelief::of(inputs).map_err(|error| refused(error, source)),
+            Some(inputs) => {
+                AssumedRelief::from_inputs(inputs).map_err(|error| refused(error, source))
+            }
         };
         let relief = Derived::renewed(known.map(|known| &known.relief), relief, found)?;
         Ok(Self { check, relief })

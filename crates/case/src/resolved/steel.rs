@@ -44,12 +44,12 @@ pub(crate) fn steels(
     let mut notes = Vec::new();
     // The other bodies are those of named meshes.
     let MaterialInput { pinion, wheel, .. } = &input.material;
-    let of_pinion = Section::of(source, "material.pinion");
+    let of_pinion = Section::new(source, "material.pinion");
     let pinion = body(pinion, of_pinion, defaults, &mut notes)?;
     let wheel = match wheel {
         None => pinion,
         Some(wheel) => {
-            let of_wheel = Section::of(source, "material.wheel");
+            let of_wheel = Section::new(source, "material.wheel");
             body(wheel, of_wheel, defaults, &mut notes)?
         }
     };
@@ -108,7 +108,7 @@ impl Standards {
     }
 
     /// A steel of the library, with the strength of an unspecified grade.
-    fn of(steel: &SteelPreset) -> Self {
+    fn from_preset(steel: &SteelPreset) -> Self {
         fn of<T: Copy>(steel: &SteelPreset, figure: &Figure<T>) -> Standard<T> {
             let (name, certainty, key) = (&steel.name, figure.certainty, &figure.source);
             Standard::from(figure.value, format!("{name}: {certainty}, {key}"))
@@ -241,7 +241,7 @@ fn body(
     let steel = named(stated, section)?;
     let mut standards = steel
         .as_ref()
-        .map_or_else(Standards::of_unspecified_grade, Standards::of);
+        .map_or_else(Standards::of_unspecified_grade, Standards::from_preset);
     harden(&mut standards, stated, steel.as_ref(), notes).map_err(section.domain("hardness"))?;
     if steel.as_ref().is_some_and(SteelPreset::is_powder_metal) {
         let rule = "powder-metal needs density as well, from which its constants follow, e.g. density = \"7.1 g/cm3\"";

@@ -17,7 +17,7 @@ pub(crate) struct Section<'a> {
 }
 
 impl<'a> Section<'a> {
-    pub(crate) fn of(source: &'a Source, table: &'static str) -> Self {
+    pub(crate) fn new(source: &'a Source, table: &'static str) -> Self {
         Self { source, table }
     }
 

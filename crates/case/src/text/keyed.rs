@@ -71,7 +71,7 @@ impl<'de> Deserializer<'de> for Keyed<'_> {
                     _ => Err(Error::invalid_length(count, &"fewer elements in array")),
                 }
             }
-            Value::Table(table) => visitor.visit_map(Keys::of(table, self.path)),
+            Value::Table(table) => visitor.visit_map(Keys::new(table, self.path)),
         }
     }
 
@@ -114,7 +114,7 @@ impl<'de> Deserializer<'de> for Keyed<'_> {
         visitor: V,
     ) -> Result<V::Value, Error> {
         match self.value {
-            Value::Table(table) => visitor.visit_map(Keys::of(table, self.path)),
+            Value::Table(table) => visitor.visit_map(Keys::new(table, self.path)),
             value => Err(Error::invalid_type(unexpected(&value), &visitor)),
         }
     }
@@ -146,7 +146,7 @@ struct Keys<'p> {
 }
 
 impl<'p> Keys<'p> {
-    fn of(table: Table, path: Option<&'p Path>) -> Self {
+    fn new(table: Table, path: Option<&'p Path>) -> Self {
         Self {
             entries: table.into_iter(),
             value: None,

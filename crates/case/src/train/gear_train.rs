@@ -120,7 +120,7 @@ impl From<&LoadedCase> for Cow<'_, Train> {
 
 impl Train {
     /// The train of `parts` with the loaded case of each mesh, as `input` states it.
-    pub(crate) fn of(parts: TrainParts, cases: Vec<LoadedCase>, input: CaseInput) -> Self {
+    pub(crate) fn from_parts(parts: TrainParts, cases: Vec<LoadedCase>, input: CaseInput) -> Self {
         let mut defaults: Vec<DefaultUsed> = Vec::new();
         for stage in &parts.stages {
             defaults.extend(stage.defaults.iter().cloned());
@@ -241,7 +241,7 @@ impl Train {
         let parts = input.parts(source, files)?;
         let cases = parts.meshes().map(|mesh| case(&mesh.case, Some(mesh)));
         let cases = cases.collect::<Result<_, _>>()?;
-        Ok(Self::of(parts, cases, input))
+        Ok(Self::from_parts(parts, cases, input))
     }
 
     /// The train with another input, checked again; traces are read again only if the input affects them.

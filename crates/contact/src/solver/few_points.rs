@@ -29,7 +29,11 @@ impl FewPoints {
     fn begin(&mut self, pressure: &[f64], task: &Task) -> bool {
         let states = &mut self.sets.states;
         states.clear();
-        states.extend(pressure.iter().map(|p| State::of(*p, task.limit)));
+        states.extend(
+            pressure
+                .iter()
+                .map(|p| State::from_pressure(*p, task.limit)),
+        );
         let touching = states.iter().filter(|state| **state != State::Apart);
         let touching = touching.count();
         if touching == states.len() && touching > LOWEST {
@@ -61,7 +65,7 @@ impl FewPoints {
             return None;
         }
         if self.matrix.columns() < columns {
-            self.matrix = Matrix::of(&strip_column(columns), columns);
+            self.matrix = Matrix::from_kernel(&strip_column(columns), columns);
         }
         let settled = self.sets.settle(&SetProblem {
             matrix: &self.matrix,

@@ -78,7 +78,7 @@ pub fn solve(
     problem: &ContactProblem,
     settings: &SolverSettings,
 ) -> Result<ContactSolution, ContactError> {
-    Solver::of(problem)?.solve(problem, settings)
+    Solver::from_problem(problem)?.solve(problem, settings)
 }
 
 /// Solver of many problems with the same number of points and the same boundary, whose plans and
@@ -104,7 +104,7 @@ impl Drop for Solver {
             self.work.coarse = std::mem::take(&mut self.work.coarse).anew();
             let own = (
                 self.shape,
-                std::mem::replace(&mut self.operators, Operators::of(self.shape.rows)),
+                std::mem::replace(&mut self.operators, Operators::new(self.shape.rows)),
                 std::mem::take(&mut self.work),
             );
             // At the end of a thread nothing is kept.
@@ -147,7 +147,7 @@ impl Solver {
         };
         let last = LAST.take().filter(|(of, ..)| *of == shape);
         let (_, operators, work) =
-            last.unwrap_or_else(|| (shape, Operators::of(rows), Workspace::default()));
+            last.unwrap_or_else(|| (shape, Operators::new(rows), Workspace::default()));
         Ok(Self {
             shape,
             operators,
@@ -159,7 +159,7 @@ impl Solver {
     ///
     /// # Errors
     /// When there are too few points.
-    pub fn of(problem: &ContactProblem) -> Result<Self, ContactError> {
+    pub fn from_problem(problem: &ContactProblem) -> Result<Self, ContactError> {
         Self::of_patch(problem.cells()?.shape(), problem.boundary)
     }
 
@@ -185,7 +185,7 @@ impl Solver {
             points, boundary, ..
         } = self.shape;
         check_lengths(points, pressure, displacement)?;
-        let cells = Cells::of(points, spacing, lead)?;
+        let cells = Cells::new(points, spacing, lead)?;
         let rows = cells.rows;
         if rows != self.shape.rows {
             let asked = SolverShape { rows, ..self.shape };

@@ -127,7 +127,7 @@ pub(crate) enum Operators {
 }
 
 impl Operators {
-    pub(crate) fn of(rows: usize) -> Self {
+    pub(crate) fn new(rows: usize) -> Self {
         match rows {
             1 => Self::Line(Levels::default()),
             _ => Self::Patch(Levels::default()),

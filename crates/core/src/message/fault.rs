@@ -51,7 +51,7 @@ impl Fault {
     }
 
     /// An error of this code with the message of its cause.
-    pub fn of(code: Code, cause: impl Error + Send + Sync + 'static) -> Self {
+    pub fn from_cause(code: Code, cause: impl Error + Send + Sync + 'static) -> Self {
         Self::new(code, cause.to_string()).caused_by(cause)
     }
 
@@ -251,12 +251,12 @@ macro_rules! fault_error {
 
 impl From<DomainError> for Fault {
     fn from(error: DomainError) -> Self {
-        Self::of(Code::E209, error)
+        Self::from_cause(Code::E209, error)
     }
 }
 
 impl From<QuantityError> for Fault {
     fn from(error: QuantityError) -> Self {
-        Self::of(Code::E204, error)
+        Self::from_cause(Code::E204, error)
     }
 }

@@ -20,12 +20,12 @@ impl CompleteElliptic {
     /// ```
     /// use asperity_core::numerics::CompleteElliptic;
     /// // m = 1/2: K = Γ(1/4)²/(4 √π).
-    /// let half = CompleteElliptic::of(0.5);
+    /// let half = CompleteElliptic::from_complement(0.5);
     /// assert!((half.first - 1.854_074_677_301_372).abs() < 1e-15);
     /// assert!((half.second - 1.350_643_881_047_675_5).abs() < 1e-15);
     /// ```
     #[must_use]
-    pub fn of(complement: f64) -> Self {
+    pub fn from_complement(complement: f64) -> Self {
         /// Steps until both means agree to all digits for every argument: the number of digits doubles with each.
         const STEPS: usize = 10;
         let parameter = 1.0 - complement;
@@ -59,12 +59,15 @@ mod tests {
 
     #[test]
     fn the_integrals_fulfil_legendres_relation_and_their_limits() {
-        let round = CompleteElliptic::of(1.0);
+        let round = CompleteElliptic::from_complement(1.0);
         assert_eq!([round.first, round.second], [FRAC_PI_2; 2]);
         assert_eq!(round.difference, FRAC_PI_4);
         for k in 1..60 {
             let m1 = 10_f64.powf(-0.2 * f64::from(k));
-            let (one, other) = (CompleteElliptic::of(m1), CompleteElliptic::of(1.0 - m1));
+            let (one, other) = (
+                CompleteElliptic::from_complement(m1),
+                CompleteElliptic::from_complement(1.0 - m1),
+            );
             // E K' + E' K − K K' = π/2: m₁ has an error of 1e-16, which m₁' = 1 − m₁ inherits.
             let legendre =
                 one.second * other.first + other.second * one.first - one.first * other.first;
@@ -73,11 +76,11 @@ mod tests {
             assert!((one.difference / difference - 1.0).abs() < 1e-14, "{m1}");
         }
         // K → ln(4/√m₁), E → 1.
-        let flat = CompleteElliptic::of(1e-24);
+        let flat = CompleteElliptic::from_complement(1e-24);
         assert!((flat.first / 4e12_f64.ln() - 1.0).abs() < 1e-14);
         assert!((flat.second - 1.0).abs() < 1e-13);
         // Close to a circle (K − E)/m is π/4 (1 + 3 m/8).
-        let near = CompleteElliptic::of(1.0 - 1e-9);
+        let near = CompleteElliptic::from_complement(1.0 - 1e-9);
         assert!((near.difference / FRAC_PI_4 - 1.0 - 0.375e-9).abs() < 1e-15);
     }
 }

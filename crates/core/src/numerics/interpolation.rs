@@ -45,11 +45,11 @@ impl NodeInterval {
     ///
     /// ```
     /// use asperity_core::numerics::NodeInterval;
-    /// let interval = NodeInterval::of(&[1.0, 3.0, 7.0], |node| *node, 4.0);
+    /// let interval = NodeInterval::from_nodes(&[1.0, 3.0, 7.0], |node| *node, 4.0);
     /// assert_eq!((interval.low, interval.high, interval.part), (1, 2, 0.25));
     /// assert_eq!(interval.mean(|k| [0.0, 8.0, 16.0][k]), 10.0);
     /// ```
-    pub fn of<N>(nodes: &[N], position: impl Fn(&N) -> f64, place: f64) -> Self {
+    pub fn from_nodes<N>(nodes: &[N], position: impl Fn(&N) -> f64, place: f64) -> Self {
         let above = nodes.partition_point(|node| position(node) <= place);
         let last = nodes.len().saturating_sub(1);
         let high = above.clamp(last.min(1), last);
@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn a_place_outside_of_the_nodes_is_held_or_refused_and_nan_stays_nan() {
         let nodes = [1.0, 3.0, 4.0];
-        let at = |place| NodeInterval::of(&nodes, |node| *node, place);
+        let at = |place| NodeInterval::from_nodes(&nodes, |node| *node, place);
         let value = |place: f64| at(place).held().mean(|k| [2.0, 6.0, 0.0][k]);
         assert_eq!(
             [0.0, 1.0, 2.0, 3.0, 3.5, 4.0, 9.0].map(value),
@@ -109,7 +109,7 @@ mod tests {
             [false, true, true, true, false, false]
         );
         assert!(value(f64::NAN).is_nan());
-        let single = |place| NodeInterval::of(&[5.0], |node| *node, place);
+        let single = |place| NodeInterval::from_nodes(&[5.0], |node| *node, place);
         assert_eq!(
             [4.0, 5.0, 6.0].map(|place| single(place).held().mean(|k| [8.0][k])),
             [8.0; 3]
@@ -119,7 +119,7 @@ mod tests {
             [false, true, false]
         );
         assert_eq!(
-            NodeInterval::of::<f64>(&[], |node| *node, 1.0).inside(),
+            NodeInterval::from_nodes::<f64>(&[], |node| *node, 1.0).inside(),
             None
         );
     }

@@ -27,7 +27,7 @@ fn gradient(flanks: &Flanks, settings: &LoadShareSettings) -> [Vec<f64>; 2] {
     let (mut rough, table) = exact_table(&contact, flanks);
     let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), settings).unwrap();
     let [first, second] = &flanks.spectra;
-    let pair = PairSpectrum::of([first, second]);
+    let pair = PairSpectrum::from_traces([first, second]);
     let traces = AttenuatedTraces::new([first, second], &film.flattening(&pair).unwrap());
     let n = points(&contact);
     let window = traces.window(STARTS, n).unwrap();

@@ -146,7 +146,7 @@ fn oil(name: &str) -> FilmRheology {
     };
     let mut constants = TractionConstants {
         eyring_stress: Pressure::from_si(eyring),
-        ..TractionConstants::of(family).unwrap()
+        ..TractionConstants::from_family(family).unwrap()
     };
     if family == BaseOil::Mineral {
         constants.conductivity = ThermalConductivity::from_si(0.137);
@@ -248,7 +248,7 @@ fn share_of(
     let rheology = oil("e-fluid");
     let mut film = PositionFilm::new(&rheology, contact, celsius(temperature), settings).unwrap();
     let [first, second] = &flanks.spectra;
-    let pair = PairSpectrum::of([first, second]);
+    let pair = PairSpectrum::from_traces([first, second]);
     let flattening = changed(film.flattening(&pair).unwrap());
     let traces = AttenuatedTraces::new([first, second], &flattening);
     let window = traces.window(starts, points(contact)).unwrap();
@@ -351,7 +351,7 @@ fn load_share_of_the_reference_windows() {
             1e-8,
         );
         let [first, second] = &flanks.spectra;
-        let pair = PairSpectrum::of([first, second]);
+        let pair = PairSpectrum::from_traces([first, second]);
         let flattening = of_all_heights(film.flattening(&pair).unwrap());
         let traces = AttenuatedTraces::new([first, second], &flattening);
         let window = &traces.window(starts, n).unwrap();
@@ -460,14 +460,14 @@ fn film_alone(
         pressure_viscosity: state.pressure_viscosity,
         contact_length: None,
     };
-    let numbers = MoesNumbers::of(&conditions.line_groups().unwrap()).unwrap();
+    let numbers = MoesNumbers::from_groups(&conditions.line_groups().unwrap()).unwrap();
     let line = FilmLineContact {
         line: *contact,
         film,
         temperature,
     };
     let mut alone = LoadedFilm::new(rheology, &line, FilmSettings::default()).unwrap();
-    let LightLoad { excess, inlet } = LightLoad::of(&numbers);
+    let LightLoad { excess, inlet } = LightLoad::new(&numbers);
     alone.reach_beyond(&excess, inlet).unwrap();
     alone.solve().unwrap().value
 }
@@ -686,7 +686,7 @@ fn friction_does_not_depend_on_the_windows_before() {
     let (contact, rheology) = (e_drive(), oil("e-fluid"));
     let settings = LoadShareSettings::default();
     let [first, second] = &ground().spectra;
-    let pair = PairSpectrum::of([first, second]);
+    let pair = PairSpectrum::from_traces([first, second]);
     let fresh = || PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
     let (mut film, mut largest) = (fresh(), 0.0_f64);
     let traces = AttenuatedTraces::new([first, second], &film.flattening(&pair).unwrap());
@@ -710,7 +710,7 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
     let settings = LoadShareSettings::default();
     let fresh = |settings| PositionFilm::new(&rheology, &contact, celsius(90.0), settings).unwrap();
     let [first, second] = &ground().spectra;
-    let lines = PairSpectrum::of([first, second]);
+    let lines = PairSpectrum::from_traces([first, second]);
     let of_lines = fresh(&settings).flattening(&lines).unwrap();
     // Patches that are constant along the lead.
     let untouched = Attenuation::new(GapLaw::Inlet, 0.0).unwrap();
@@ -767,16 +767,16 @@ fn patches_are_fed_by_their_computed_flow_and_lines_as_before() {
     let ripples = ripples.each(Vec::as_slice);
     let columns = points(&contact);
     let reach = flattening.reach / SPACING;
-    let piece = PatchSample::of(&left, columns, Some(ripples), reach).unwrap();
+    let piece = PatchSample::new(&left, columns, Some(ripples), reach).unwrap();
     let of_piece = PatchSample::between(&[(Arc::new(piece), 1.0)]);
     assert!((of_piece.deviation / window.deviation - 1.0).abs() < 1e-9);
     assert!((of_piece.middle / window.middle - 1.0).abs() < 1e-9);
     assert_eq!(of_piece.ripple.len(), window.ripple.len());
     for (pressures, heights) in [(&[0.0][..], ripples.heights), (ripples.pressures, &[0.0])] {
         let ripples = Ripples { pressures, heights };
-        assert!(PatchSample::of(&left, columns, Some(ripples), reach).is_err());
+        assert!(PatchSample::new(&left, columns, Some(ripples), reach).is_err());
     }
-    assert!(PatchSample::of(&left, columns - 1, None, reach).is_err());
+    assert!(PatchSample::new(&left, columns - 1, None, reach).is_err());
 
     let starved = LoadShareSettings {
         supply: InletSupply::Starved,

@@ -44,7 +44,7 @@ fn oil(name: &str) -> FilmRheology {
     };
     let mut constants = TractionConstants {
         eyring_stress: Pressure::from_si(eyring),
-        ..TractionConstants::of(family).unwrap()
+        ..TractionConstants::from_family(family).unwrap()
     };
     if family == BaseOil::Mineral {
         constants.conductivity = ThermalConductivity::from_si(0.137);

@@ -274,7 +274,7 @@ fn in_units(drawn: &Drawn, supply: InletSupply, units: &Units) -> LoadShareSolut
     }
     lubricant.density = Some(Density::from_si(850.0 * density));
     let lubricant = lubricant.resolve(celsius(90.0)).unwrap();
-    let family = TractionConstants::of(BaseOil::Pao).unwrap();
+    let family = TractionConstants::from_family(BaseOil::Pao).unwrap();
     let constants = TractionConstants {
         ambient_limit: family.ambient_limit * pressure,
         eyring_stress: family.eyring_stress * pressure,
@@ -332,7 +332,7 @@ fn in_units(drawn: &Drawn, supply: InletSupply, units: &Units) -> LoadShareSolut
         let z: Vec<f64> = z.iter().map(|z| z * length).collect();
         TraceSpectrum::new(&z, SPACING * length).unwrap()
     });
-    let attenuation = film.flattening(&PairSpectrum::of(spectra.each_ref()));
+    let attenuation = film.flattening(&PairSpectrum::from_traces(spectra.each_ref()));
     let traces = AttenuatedTraces::new(spectra.each_ref(), &attenuation.unwrap());
     let window = traces.window(starts, n).unwrap();
     film.share(&table, &window).unwrap().value

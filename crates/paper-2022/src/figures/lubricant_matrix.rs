@@ -129,7 +129,7 @@ fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<OilRow, Fault>
     })?;
     let case = case.at_stated()?;
     let outcome = asperity::Run::new(case.loaded()).execute()?.into_only()?;
-    let station = Mesh::of(&case)?.positions.remove(0);
+    let station = Mesh::new(&case)?.positions.remove(0);
     let central = formula_film(&case, &station)?.film.central;
     let film = film_between(&case.case.gears, case.oil(), &station, central);
     let across = |model| {

@@ -70,7 +70,7 @@ const ZOOM_DEPTH_UM: f64 = 20.0;
 pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
     let outcome = asperity::Run::new(case).execute()?.into_only()?;
     let result = &outcome.result;
-    let tables = PageTables::of(&outcome, Some(1))?;
+    let tables = PageTables::new(&outcome, Some(1))?;
     let drawings = drawings_of_contact(result, &tables)?;
     if let Some(contact) = &tables.contact {
         write(&folder.join(SURFACE), &contact.surface)?;
@@ -104,7 +104,7 @@ fn engagements(case: &LoadedCase, fields: Option<&PositionFields>) -> f64 {
 fn reflected(case: &LoadedCase, folder: &Path) -> Result<Figure, Fault> {
     let case = case.with_key("surface.wheel.mirrored", "false")?;
     let outcome = asperity::Run::new(&case).execute()?.into_only()?;
-    let tables = PageTables::of(&outcome, Some(1))?;
+    let tables = PageTables::new(&outcome, Some(1))?;
     let drawings = drawings_of_contact(&outcome.result, &tables)?;
     let drawing = drawings
         .into_iter()

@@ -34,7 +34,7 @@ pub struct TraceCut {
 
 impl TraceCut {
     /// The points at the ascending positions `x` \[m\] that are in `range`, with a record of the cut.
-    pub(super) fn of(x: &[f64], range: TraceRange) -> Result<(Range<usize>, Self), ReadFault> {
+    pub(super) fn cut(x: &[f64], range: TraceRange) -> Result<(Range<usize>, Self), ReadFault> {
         /// Part of the length by which rounding moves an end.
         const ROUNDING: f64 = 1e-9;
         let [first, last] = [x.first(), x.last()].map(|x| x.copied().unwrap_or_default());
@@ -65,7 +65,7 @@ impl TraceCut {
     ) -> Result<(Profile, Self), ReadError> {
         let spacing = profile.spacing().si();
         let x: Vec<f64> = (0..profile.len()).map(|i| spacing * i as f64).collect();
-        let (points, record) = Self::of(&x, range).map_err(|fault| fault.in_file(name))?;
+        let (points, record) = Self::cut(&x, range).map_err(|fault| fault.in_file(name))?;
         let part = profile.slice(points).unwrap_or_else(|| profile.clone());
         Ok((part, record))
     }

@@ -45,9 +45,9 @@ pub(super) fn read(
         table::check_commas(table, &sniffed)?;
     }
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
-    let values = HeaderValues::of(header);
+    let values = HeaderValues::from_header(header);
     if matrix::is_matrix(&labels, &values, options) {
-        let matrix = Matrix::of(&lines, &sniffed, &labels, &values);
+        let matrix = Matrix::new(&lines, &sniffed, &labels, &values);
         let found = match options.line {
             TraceLine::Row if !matrix.is_wrapped() => matrix.read(text, options)?,
             _ => matrix.surface(text, options)?.trace(options)?,
@@ -134,7 +134,7 @@ pub(super) fn surface(
     table::check_line_above(&lines, &sniffed)?;
     let (header, table) = lines.split_at(sniffed.first);
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
-    let values = HeaderValues::of(header);
+    let values = HeaderValues::from_header(header);
     let first = table.first().map_or(1, |line| line.number);
     if let Some(columns) = points::columns(&labels, options)
         && let Some(points) = points::read(text, first, &lines, &sniffed, columns)?
@@ -161,7 +161,7 @@ pub(super) fn surface(
             "no matrix of heights",
         ));
     }
-    Matrix::of(&lines, &sniffed, &labels, &values).surface(text, options)
+    Matrix::new(&lines, &sniffed, &labels, &values).surface(text, options)
 }
 
 /// Relative difference up to which a value of a header and the value used are taken as equal.

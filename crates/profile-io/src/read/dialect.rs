@@ -423,7 +423,7 @@ mod tests {
     use super::*;
 
     fn sniff_text(text: &str) -> Option<(Dialect, usize, usize)> {
-        let head = Head::of(text);
+        let head = Head::from_text(text);
         let lines: Vec<_> = head.lines().collect();
         sniff(&lines, Stated::default()).map(|s| (s.dialect, s.columns, s.first))
     }

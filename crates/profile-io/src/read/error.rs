@@ -610,6 +610,6 @@ pub(super) fn shortened(text: &str) -> String {
 impl From<ReadError> for Fault {
     fn from(error: ReadError) -> Self {
         let remedy = error.remedy();
-        Self::of(error.code(), error).with(remedy)
+        Self::from_cause(error.code(), error).with(remedy)
     }
 }

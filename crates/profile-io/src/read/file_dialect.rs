@@ -34,7 +34,7 @@ pub(super) fn of_file(
     };
     let mut faults = RepeatedFault::default();
     faults.add(number, text);
-    let mut marks = Marks::of(cell);
+    let mut marks = Marks::from_cell(cell);
     let is_number = |cell: &str| matches!(dialect.cell(cell), Cell::Number(_));
     let is_text = !dialect.cells(text).any(is_number);
     // A shorter line that begins with a word is the head of another table, not a row with a fault.
@@ -121,7 +121,7 @@ struct Marks {
 }
 
 impl Marks {
-    fn of(cell: &str) -> Self {
+    fn from_cell(cell: &str) -> Self {
         Self {
             same: Some(cell.to_owned()),
             unit: unit_after(cell).map(str::to_owned),

@@ -527,7 +527,8 @@ mod tests {
 
     #[test]
     fn labels_of_several_words_are_told_by_wider_gaps() {
-        let head = Head::of("# \tPosition (mm)     Distance (microns)    Light Intensity (0-255)");
+        let head =
+            Head::from_text("# \tPosition (mm)     Distance (microns)    Light Intensity (0-255)");
         let header: Vec<_> = head.lines().collect();
         let dialect = Dialect {
             separator: Separator::Blank,
@@ -548,7 +549,7 @@ mod tests {
 
     #[test]
     fn a_header_with_more_words_than_columns_still_gives_its_units() {
-        let head = Head::of("# x (mm)  z in um");
+        let head = Head::from_text("# x (mm)  z in um");
         let header: Vec<_> = head.lines().collect();
         let dialect = Dialect {
             separator: Separator::Blank,

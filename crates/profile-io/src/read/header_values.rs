@@ -183,7 +183,7 @@ pub(super) struct Filter {
 
 impl HeaderValues {
     /// The values of the lines above a table.
-    pub(super) fn of<'l>(header: &[Line<'l>]) -> Self {
+    pub(super) fn from_header<'l>(header: &[Line<'l>]) -> Self {
         let mut values = Self::default();
         let text = |line: &Line<'l>| {
             let marks = ['#', '%', '/', '*', '!', '\\', ' ', '"'];
@@ -389,9 +389,9 @@ mod tests {
     use super::*;
 
     fn of(text: &str) -> HeaderValues {
-        let head = Head::of(text);
+        let head = Head::from_text(text);
         let lines: Vec<_> = head.lines().collect();
-        HeaderValues::of(&lines)
+        HeaderValues::from_header(&lines)
     }
 
     #[test]

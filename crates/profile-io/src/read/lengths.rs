@@ -15,7 +15,7 @@ pub(crate) enum Lengths<T> {
 
 impl<T> Lengths<T> {
     /// Numbers in a unit of the file.
-    pub(crate) fn of(numbers: T, unit: LengthUnit) -> Self {
+    pub(crate) fn new(numbers: T, unit: LengthUnit) -> Self {
         Self::Numbers(numbers, Some(unit))
     }
 

@@ -65,17 +65,17 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     // Some programs write only zeros for X.
     let is_constant = x.iter().all(|place| Some(place) == x.first());
     Ok(Found {
-        x: (!is_constant).then_some(Lengths::of(x, LengthUnit::Millimetre)),
+        x: (!is_constant).then_some(Lengths::new(x, LengthUnit::Millimetre)),
         spacing: header.interval.map(|dx| {
             (
-                Lengths::of(dx, LengthUnit::Millimetre),
+                Lengths::new(dx, LengthUnit::Millimetre),
                 SpacingSource::Header,
             )
         }),
         filter_state: header.state,
         metadata: header.metadata,
         first_line,
-        ..Found::new(FORMAT, Lengths::of(heights, LengthUnit::Millimetre))
+        ..Found::new(FORMAT, Lengths::new(heights, LengthUnit::Millimetre))
     })
 }
 

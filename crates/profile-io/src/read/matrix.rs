@@ -55,7 +55,7 @@ pub(super) struct Matrix<'a, 'l> {
 
 impl<'a, 'l> Matrix<'a, 'l> {
     /// The matrix that begins at the line `sniffed.first` of `head`, under a header with `values`.
-    pub(super) fn of(
+    pub(super) fn new(
         head: &'a [Line<'l>],
         sniffed: &'a Sniffed,
         labels: &[Label],
@@ -119,7 +119,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
             warnings: self.fewer()?.into_iter().collect(),
             encoding: Some(text.encoding),
             table: Some(self.layout()),
-            ..Areal::of(FORMAT, heights)
+            ..Areal::from_heights(FORMAT, heights)
         })
     }
 

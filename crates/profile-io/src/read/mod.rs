@@ -161,7 +161,7 @@ fn surface_of(
     stream: &mut dyn Stream,
     options: &ReadOptions,
 ) -> Result<Surface, ReadFault> {
-    let start = Start::of(stream)?;
+    let start = Start::read(stream)?;
     not_larger(start.size, MOST_BYTES)?;
     if let Some(bytes) = recognise::recoded(stream, &start)? {
         return surface_of(name, &mut Cursor::new(bytes), options);
@@ -340,7 +340,7 @@ pub fn table_text(name: &str, bytes: &[u8]) -> Result<String, ReadError> {
 /// The text of the table in `bytes`, which are not text.
 fn table_of(name: &str, bytes: &[u8]) -> Result<String, ReadFault> {
     let mut stream = Cursor::new(bytes);
-    let start = Start::of(&mut stream)?;
+    let start = Start::read(&mut stream)?;
     let format = format_of(name, &mut stream, &start);
     let format = format.or_else(|| Format::named(name));
     let format = format.unwrap_or(Format::UnknownBinary);
@@ -383,7 +383,7 @@ fn trace_of(
     conditions: Option<&[u8]>,
     options: &ReadOptions,
 ) -> Result<Trace, ReadFault> {
-    let start = Start::of(stream)?;
+    let start = Start::read(stream)?;
     not_larger(start.size, MOST_BYTES)?;
     if let Some(bytes) = recognise::recoded(stream, &start)? {
         return trace_of(name, &mut Cursor::new(bytes), conditions, options);

@@ -238,7 +238,7 @@ mod tests {
         ) {
             let line = cells.join(&between) + end;
             let plain = Plain::new(dialect, chosen, end.as_bytes()[end.len() - 1]);
-            let head = Head::of(&line);
+            let head = Head::from_text(&line);
             let lines: Vec<_> = head.lines().collect();
             if let Some((x, z, [])) = plain.row(line.as_bytes()) {
                 let by_cells = row(&lines, &lines[0], dialect, chosen, &mut Words::default());

@@ -71,7 +71,8 @@ pub(super) fn read(
     if x.len() != y.len() || y.iter().any(|y| y.is_nan()) {
         return Ok(None);
     }
-    let complete = Points::of(&x, &y, &z, true).or_else(|| Points::of(&y, &x, &z, false));
+    let complete = Points::from_coordinates(&x, &y, &z, true)
+        .or_else(|| Points::from_coordinates(&y, &x, &z, false));
     if complete.is_some() {
         return Ok(complete);
     }
@@ -94,7 +95,7 @@ struct Nodes {
 
 impl Nodes {
     /// The even nodes that `values` are on, each up to rounding; `None` if there are none.
-    fn of(values: &[f64]) -> Option<Self> {
+    fn from_values(values: &[f64]) -> Option<Self> {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);
         sorted.dedup();
@@ -123,7 +124,7 @@ impl Nodes {
 
 impl Points {
     /// The grid in which `along` changes from point to point, and `across` from line to line.
-    fn of(along: &[f64], across: &[f64], z: &[f64], along_x: bool) -> Option<Self> {
+    fn from_coordinates(along: &[f64], across: &[f64], z: &[f64], along_x: bool) -> Option<Self> {
         let first = *across.first()?;
         let line = across.iter().take_while(|y| **y == first).count();
         if line < 2 || !along.len().is_multiple_of(line) {
@@ -153,7 +154,7 @@ impl Points {
     /// The grid of points of which some are left out, by rounding of their coordinates: fewer than half of its nodes may lack
     /// a point. A second point on a node is returned as an error.
     fn with_holes(x: &[f64], y: &[f64], z: &[f64]) -> Result<Option<Self>, usize> {
-        let Some((columns, rows)) = Nodes::of(x).zip(Nodes::of(y)) else {
+        let Some((columns, rows)) = Nodes::from_values(x).zip(Nodes::from_values(y)) else {
             return Ok(None);
         };
         let count = columns.count.saturating_mul(rows.count);
@@ -269,7 +270,7 @@ impl Points {
         let heights = Lengths::Numbers(Heights::Values { values, columns }, z_unit);
         Areal {
             spacings: [step(x, x_unit), step(y, y_unit)],
-            ..Areal::of(Format::PointText, heights)
+            ..Areal::from_heights(Format::PointText, heights)
         }
     }
 }
@@ -324,9 +325,9 @@ mod tests {
         let x = [0.0, 1.0, 2.01, 0.0, 1.0, 2.0];
         let y = [5.0, 5.0, 5.0, 7.0, 7.0, 7.0];
         let z = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
-        let rows = Points::of(&x, &y, &z, true).unwrap();
+        let rows = Points::from_coordinates(&x, &y, &z, true).unwrap();
         assert_eq!((rows.lines(), rows.along_x), (2, true));
-        assert!(Points::of(&y, &x, &z, false).is_none());
+        assert!(Points::from_coordinates(&y, &x, &z, false).is_none());
         let second = ReadOptions {
             row: Some(2),
             ..ReadOptions::default()
@@ -340,6 +341,6 @@ mod tests {
         assert_eq!(rows.trace(&column).unwrap().rows.z, [2.0, 5.0]);
         assert!(rows.trace(&ReadOptions::default()).is_err());
         let scattered = [5.0, 5.0, 5.0, 7.0, 7.0, 8.0];
-        assert!(Points::of(&x, &scattered, &z, true).is_none());
+        assert!(Points::from_coordinates(&x, &scattered, &z, true).is_none());
     }
 }

@@ -59,7 +59,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     Ok(Found {
         spacing: dx.map(|dx| {
             (
-                Lengths::of(dx, LengthUnit::Millimetre),
+                Lengths::new(dx, LengthUnit::Millimetre),
                 SpacingSource::Header,
             )
         }),
@@ -68,6 +68,6 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
             ..Metadata::default()
         },
         first_line: Some(HEADER_LINES + 1),
-        ..Found::new(FORMAT, Lengths::of(heights, LengthUnit::Micrometre))
+        ..Found::new(FORMAT, Lengths::new(heights, LengthUnit::Micrometre))
     })
 }

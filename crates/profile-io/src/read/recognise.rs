@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn characteristic_lines_win_over_the_name() {
-        let of_text = |name, text: &str| of_text(name, &Head::of(text));
+        let of_text = |name, text: &str| of_text(name, &Head::from_text(text));
         let mahr = "[PROFILE_HEADER]\nNAME=a";
         assert_eq!(of_text("a.csv", mahr), Some(Format::MahrText));
         assert_eq!(of_text("a.csv", "0.5\n1"), None);

@@ -53,12 +53,12 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     Ok(Found {
         spacing: spacing.map(|dx| {
             (
-                Lengths::of(dx, LengthUnit::Micrometre),
+                Lengths::new(dx, LengthUnit::Micrometre),
                 SpacingSource::Header,
             )
         }),
         metadata,
         first_line: Some(first_line),
-        ..Found::new(FORMAT, Lengths::of(heights, LengthUnit::Micrometre))
+        ..Found::new(FORMAT, Lengths::new(heights, LengthUnit::Micrometre))
     })
 }

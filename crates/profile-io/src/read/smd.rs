@@ -128,12 +128,12 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
     Ok(Found {
         spacing: x
             .increment
-            .map(|dx| (Lengths::of(dx * x.factor, x.unit), SpacingSource::Header)),
+            .map(|dx| (Lengths::new(dx * x.factor, x.unit), SpacingSource::Header)),
         filter_state: filter_state(&metadata),
         metadata,
         warnings: checksum.flatten().into_iter().collect(),
         first_line: Some(first_line),
-        ..Found::new(FORMAT, Lengths::of(heights, z.unit))
+        ..Found::new(FORMAT, Lengths::new(heights, z.unit))
     })
 }
 

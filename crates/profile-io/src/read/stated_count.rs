@@ -99,7 +99,7 @@ mod tests {
             ("12", None),
             ("", None),
         ] {
-            let head = Head::of(text);
+            let head = Head::from_text(text);
             let found = head.lines().find_map(|line| Some(stated(&line)?.1));
             assert_eq!(found, expected, "{text}");
         }

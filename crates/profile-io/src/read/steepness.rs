@@ -226,7 +226,7 @@ fn plural(count: usize) -> &'static str {
 /// # Ok::<(), asperity_core::DomainError>(())
 /// ```
 pub fn implausible(profile: &Profile, unit: LengthUnit) -> Option<Steepness> {
-    let slopes = Slopes::of(profile.heights().iter().copied(), profile.spacing().si());
+    let slopes = Slopes::from_heights(profile.heights().iter().copied(), profile.spacing().si());
     // A fall at one end is an edge also where a rounding makes its single steps less steep.
     let edge = edge(profile);
     if slopes.are_plausible() && edge.is_none() {
@@ -255,7 +255,7 @@ struct Slopes {
 }
 
 impl Slopes {
-    fn of(heights: impl Iterator<Item = f64>, dx: f64) -> Self {
+    fn from_heights(heights: impl Iterator<Item = f64>, dx: f64) -> Self {
         let mut before = None;
         let mut squares = Vec::new();
         let (mut steepest, mut at) = (0.0_f64, 0);
@@ -337,7 +337,8 @@ fn edge(profile: &Profile) -> Option<Suspicion> {
     let [low, high] = range(part.iter().copied());
     let outermost = if begin == 0 { z[z.len() - 1] } else { z[0] };
     let is_off = outermost < low - (high - low) || outermost > high + (high - low);
-    let is_plausible = is_off && to > from && Slopes::of(part.iter().copied(), dx).are_plausible();
+    let is_plausible =
+        is_off && to > from && Slopes::from_heights(part.iter().copied(), dx).are_plausible();
     is_plausible.then(|| Suspicion::Edge {
         from: Length::from_si(from),
         to: Length::from_si(to),
@@ -357,7 +358,8 @@ fn sentinel(profile: &Profile, unit: LengthUnit) -> Option<Suspicion> {
     let [low, high] = range(others());
     let is_far = high > low && (far - middle).abs() > FAR * (high - low);
     let is_rare = points as f64 <= MOST_MARKED * z.len() as f64;
-    let is_mark = is_far && is_rare && Slopes::of(others(), profile.spacing().si()).are_plausible();
+    let is_mark =
+        is_far && is_rare && Slopes::from_heights(others(), profile.spacing().si()).are_plausible();
     is_mark.then(|| Suspicion::Sentinel {
         value: far / unit.metres(1.0),
         unit,
@@ -381,7 +383,7 @@ fn spikes(profile: &Profile, bulk: f64) -> Option<Suspicion> {
         widest = widest.max(run);
     }
     let others = (0..z.len()).filter(|i| !is_spike(*i)).map(|i| z[i]);
-    let is_plausible = spikes > 0 && Slopes::of(others, dx).are_plausible();
+    let is_plausible = spikes > 0 && Slopes::from_heights(others, dx).are_plausible();
     is_plausible.then(|| Suspicion::Spikes {
         spikes,
         widest,

@@ -76,7 +76,7 @@ pub(super) fn read(
         }
     }
     let points = heights.len();
-    let conditions = conditions.map(|bytes| Conditions::of(file, bytes, options));
+    let conditions = conditions.map(|bytes| Conditions::new(file, bytes, options));
     let conditions = conditions.transpose()?;
     let mut warnings = Vec::new();
     let traced = conditions
@@ -105,7 +105,7 @@ pub(super) fn read(
         metadata,
         warnings,
         first_line: Some(HEADER_LINES + 1),
-        ..Found::new(FORMAT, Lengths::of(heights, LengthUnit::Micrometre))
+        ..Found::new(FORMAT, Lengths::new(heights, LengthUnit::Micrometre))
     })
 }
 
@@ -146,9 +146,9 @@ struct Conditions {
 }
 
 impl Conditions {
-    fn of(file: &str, bytes: &[u8], options: &ReadOptions) -> Result<Self, ReadFault> {
+    fn new(file: &str, bytes: &[u8], options: &ReadOptions) -> Result<Self, ReadFault> {
         let mut stream = Cursor::new(bytes);
-        let start = Start::of(&mut stream)?;
+        let start = Start::read(&mut stream)?;
         let (_, mut text) = Text::new(file, &mut stream, &start, options.encoding);
         let mut metadata = Metadata {
             instrument: Some("Surfcom".to_owned()),

@@ -102,10 +102,10 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     Ok(Found {
         spacing: dx
             .filter(|dx| *dx > 0.0)
-            .map(|dx| (Lengths::of(dx, x.unit), SpacingSource::Header)),
+            .map(|dx| (Lengths::new(dx, x.unit), SpacingSource::Header)),
         metadata: header.metadata,
         first_line: Some(first_line),
-        ..Found::new(FORMAT, Lengths::of(heights, z.unit))
+        ..Found::new(FORMAT, Lengths::new(heights, z.unit))
     })
 }
 

@@ -58,7 +58,7 @@ pub(super) struct Start {
 }
 
 impl Start {
-    pub(super) fn of(stream: &mut dyn Stream) -> Result<Self, ReadFault> {
+    pub(super) fn read(stream: &mut dyn Stream) -> Result<Self, ReadFault> {
         let mut bytes = Vec::new();
         let size = stream.seek(SeekFrom::End(0))?;
         stream.rewind()?;
@@ -75,7 +75,7 @@ pub(super) struct Head {
 
 impl Head {
     /// The head that is all of `text`.
-    pub(super) fn of(text: &str) -> Self {
+    pub(super) fn from_text(text: &str) -> Self {
         let end = match text.contains('\r') && !text.contains('\n') {
             true => '\r',
             false => '\n',
@@ -119,7 +119,7 @@ impl<'s> Text<'s> {
         let mut decoder = encoding.decoder();
         let mut text = String::new();
         decode(&mut decoder, &start.bytes, &mut text, whole);
-        let mut head = Head::of(&text);
+        let mut head = Head::from_text(&text);
         if let Some(last) = text.rfind(head.end).filter(|_| !whole) {
             head.text.truncate(last + 1);
         }

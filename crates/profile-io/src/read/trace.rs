@@ -189,7 +189,7 @@ impl Trace {
 
     /// The part of the trace in `range`.
     pub(super) fn within(mut self, range: TraceRange) -> Result<Self, ReadFault> {
-        let (points, cut) = TraceCut::of(&self.x(), range)?;
+        let (points, cut) = TraceCut::cut(&self.x(), range)?;
         self.positions = match (self.positions, self.roll) {
             (Positions::Own { x, unevenness }, roll) => {
                 let x = x[points.clone()].to_vec();

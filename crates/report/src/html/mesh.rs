@@ -38,7 +38,7 @@ struct Mesh<'a> {
 }
 
 impl<'a> Mesh<'a> {
-    fn of(gears: &'a GearPair) -> Self {
+    fn new(gears: &'a GearPair) -> Self {
         Self {
             gears,
             angle: gears.working_pressure_angle.si(),
@@ -125,7 +125,7 @@ impl GearInContact {
 /// Picture of the pair of `result`; `None` for impossible gears of a damaged file.
 pub(super) fn picture(result: &RunResult) -> Option<MeshPicture> {
     let mut picture = pair_in_mesh(&result.gears, &result.inputs.gears)?;
-    picture.traces = traces(result, &Mesh::of(&result.gears));
+    picture.traces = traces(result, &Mesh::new(&result.gears));
     Some(picture)
 }
 
@@ -134,7 +134,7 @@ pub fn pair_in_mesh(gears: &GearPair, input: &GearsInput) -> Option<MeshPicture>
     if !can_be_drawn(gears) {
         return None;
     }
-    let mesh = Mesh::of(gears);
+    let mesh = Mesh::new(gears);
     let path = &gears.path;
     let pitch = std::f64::consts::PI * gears.transverse_module.si();
     let reach = reach(gears, pitch);
@@ -406,7 +406,7 @@ mod tests {
     }
 
     fn drawn(gears: &GearPair) -> Mesh<'_> {
-        Mesh::of(gears)
+        Mesh::new(gears)
     }
 
     fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -196,7 +196,7 @@ fn headline(result: &RunResult) -> Vec<Tile> {
 
 /// The loss and its parts as text.
 fn printed(result: &RunResult) -> PrintedLoss {
-    PrintedLoss::of(&result.summary, result.uncertainty.as_ref())
+    PrintedLoss::new(&result.summary, result.uncertainty.as_ref())
 }
 
 /// Parts of the loss with their shares, and the regime.

@@ -158,7 +158,7 @@ impl ContactTables {
             surface: surface(fields, at),
             subsurface: below.map_or(Vec::new(), |below| subsurface(&fields.x, below, at)),
             convergence: convergence(fields),
-            patch: PatchTable::of(fields),
+            patch: PatchTable::from_fields(fields),
         }
     }
 

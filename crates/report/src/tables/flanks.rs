@@ -89,7 +89,7 @@ impl FlankTables {
                 trace: (0..of.points()).map(|i| of.trace_row(i)).collect(),
             })
         };
-        Evaluated::of(record, profile)?.map(whole).transpose()
+        Evaluated::new(record, profile)?.map(whole).transpose()
     }
 
     /// [`new`](Self::new) thinned for display, with the extremes of every drawn curve, and the spectrum averaged in bands. No whole
@@ -124,7 +124,7 @@ impl FlankTables {
                 spectrum,
             })
         };
-        Evaluated::of(record, profile)?.map(thinned).transpose()
+        Evaluated::new(record, profile)?.map(thinned).transpose()
     }
 
     /// The spectrum as means of the density in bands of a twelfth of a decade, at the geometric mean of their frequencies.
@@ -215,7 +215,7 @@ struct Evaluated<'a> {
 }
 
 impl<'a> Evaluated<'a> {
-    fn of(
+    fn new(
         record: &FlankRecord,
         profile: Option<&'a Profile>,
     ) -> Result<Option<Self>, RoughnessError> {

@@ -62,7 +62,7 @@ fn place(um: f64) -> f64 {
 
 impl PatchTable {
     /// The table of a contact; `None` of a line.
-    pub(super) fn of(fields: &PositionFields) -> Option<Self> {
+    pub(super) fn from_fields(fields: &PositionFields) -> Option<Self> {
         const MILLI: f64 = 1e3;
         let patch = fields.patch.as_ref()?;
         let columns = patch.x.len();

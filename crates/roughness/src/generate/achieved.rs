@@ -20,7 +20,7 @@ pub struct Generated {
 impl Generated {
     /// Measures a profile over its whole length.
     pub fn new(profile: Profile) -> Self {
-        let achieved = Achieved::of(&profile);
+        let achieved = Achieved::from_profile(&profile);
         Self { profile, achieved }
     }
 }
@@ -54,12 +54,12 @@ impl Achieved {
     /// use asperity_core::{Profile, quantity::Length};
     /// use asperity_roughness::generate::Achieved;
     /// let heights = (0..100).map(|i| if i % 2 == 0 { 1e-6 } else { -1e-6 }).collect();
-    /// let achieved = Achieved::of(&Profile::new(Length::from_si(1e-6), heights)?);
+    /// let achieved = Achieved::from_profile(&Profile::new(Length::from_si(1e-6), heights)?);
     /// assert!((achieved.rq.si() - 1e-6).abs() < 1e-18);
     /// assert!((achieved.rku.unwrap() - 1.0).abs() < 1e-12);
     /// # Ok::<(), asperity_core::DomainError>(())
     /// ```
-    pub fn of(profile: &Profile) -> Self {
+    pub fn from_profile(profile: &Profile) -> Self {
         let z = profile.heights();
         let n = z.len() as f64;
         let mean = z.iter().sum::<f64>() / n;

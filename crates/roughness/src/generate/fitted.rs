@@ -107,7 +107,7 @@ impl Fitted {
         let achieved = Achieved {
             spectrum_error: Some(imposed.spectrum_error),
             iterations: Some(imposed.iterations),
-            ..Achieved::of(&profile)
+            ..Achieved::from_profile(&profile)
         };
         Ok(Generated { profile, achieved })
     }

@@ -365,7 +365,7 @@ fn is_gaussian(traces: &[Vec<f64>]) -> Result<bool, RoughnessError> {
 
 /// The warning that traces differ as several finishes do.
 fn different(traces: &[Profile]) -> Option<Warning> {
-    let measures = traces.iter().map(super::Achieved::of);
+    let measures = traces.iter().map(super::Achieved::from_profile);
     let measures: Vec<_> = measures.collect();
     let of = |values: Vec<f64>| {
         let [low, high] = range(values);

@@ -39,7 +39,7 @@ impl PlateauHoned {
     /// let coarse = SelfAffine { rq: Length::from_si(1e-6), roll_off: Length::from_si(100e-6), seed: 2, ..fine };
     /// let profile = PlateauHoned { coarse, fine, depth: Length::from_si(0.5e-6) }.generate()?;
     /// // A flat plateau with deep valleys.
-    /// assert!(Achieved::of(&profile).rsk.unwrap() < -0.5);
+    /// assert!(Achieved::from_profile(&profile).rsk.unwrap() < -0.5);
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
     pub fn generate(&self) -> Result<Profile, RoughnessError> {

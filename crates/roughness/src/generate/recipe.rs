@@ -55,7 +55,7 @@ pub struct Recipe {
 
 impl Recipe {
     /// A surface without modifications.
-    pub fn of(surface: Surface) -> Self {
+    pub fn from_surface(surface: Surface) -> Self {
         Self {
             surface,
             amplitudes: Amplitudes::default(),
@@ -78,7 +78,7 @@ impl Recipe {
     ///     points: 4096, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.8,
     ///     roll_off: Length::from_si(100e-6), short_cut: Length::from_si(5e-6), seed: 7,
     /// };
-    /// let generated = Recipe::of(Surface::SelfAffine(spectrum)).generate()?;
+    /// let generated = Recipe::from_surface(Surface::SelfAffine(spectrum)).generate()?;
     /// assert!((generated.achieved.rq.si() - 0.3e-6).abs() < 1e-18);
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
@@ -112,7 +112,7 @@ impl Recipe {
         let achieved = Achieved {
             spectrum_error: made.achieved.spectrum_error,
             iterations: made.achieved.iterations,
-            ..Achieved::of(&profile)
+            ..Achieved::from_profile(&profile)
         };
         Ok(Generated { profile, achieved })
     }

@@ -142,7 +142,7 @@ impl Surrogate {
         };
         let profile = prepare(&Profile::new(dx, heights)?, &filters)?.profile;
         let section = self.lambda_c.unwrap_or_else(|| profile.length() / 5.0);
-        let parameters = Parameters::of(&profile, Mode::Iso4287, section)?;
+        let parameters = Parameters::from_profile(&profile, Mode::Iso4287, section)?;
         Ok((profile, parameters))
     }
 

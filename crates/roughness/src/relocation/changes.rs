@@ -72,7 +72,7 @@ impl Relocation {
         let line = mean_line(&self.before, LAMBDA_C, Ends::Reg1)?;
         let levels = |profile: &Profile| -> Result<Vec<f64>, RoughnessError> {
             let heights = profile.heights().iter().zip(&line).map(|(z, w)| z - w);
-            let curve = MaterialLevels::of(&heights.collect::<Vec<f64>>())?;
+            let curve = MaterialLevels::from_heights(&heights.collect::<Vec<f64>>())?;
             let levels = ratios.iter().map(|ratio| Ok(curve.level(*ratio)?.si()));
             levels.collect()
         };

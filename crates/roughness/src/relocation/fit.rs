@@ -102,7 +102,7 @@ impl Fit {
     ///
     /// ρ is Tukey's biweight with the scale of the shortest half. The valleys are the lowest points, from a tenth of all
     /// upwards as long as the next twentieth has the same height, at most half.
-    pub(super) fn of(
+    pub(super) fn new(
         [before, after]: [&Trace; 2],
         start: Match,
         has_bow: bool,
@@ -509,7 +509,7 @@ impl Points {
             .map(mean)
             .collect();
         Ok(Fit {
-            noise: Noise::of(&self.lost, &counts.collect::<Vec<bool>>(), dx),
+            noise: Noise::new(&self.lost, &counts.collect::<Vec<bool>>(), dx),
             place,
             half: self.half,
             along: self.along,

@@ -26,7 +26,7 @@ impl Noise {
     /// ```
     ///
     /// Over the pairs of residuals r of the match that count, which are in the valleys and no outliers, `dx` apart.
-    pub(super) fn of(residuals: &[f64], counts: &[bool], dx: f64) -> Self {
+    pub(super) fn new(residuals: &[f64], counts: &[bool], dx: f64) -> Self {
         cite!("Relocation-3");
         let n = residuals.len();
         let longest = (LONGEST / dx).min(LONGEST_SHARE * n as f64).max(1.0) as usize;

@@ -31,7 +31,7 @@ pub(super) fn placed(
     found: &Matches,
     (most_shift, form): (f64, Form),
 ) -> Result<(Fit, f64), Fault> {
-    let fit = |place: &Match| Fit::of(traces, *place, form == Form::Poly2);
+    let fit = |place: &Match| Fit::new(traces, *place, form == Form::Poly2);
     let best = found.alike.first();
     let Some(best) = best.filter(|best| best.correlation >= LEAST_CORRELATION) else {
         let message = format!(

@@ -43,7 +43,7 @@ pub fn parameters(trace: &Profile) -> [f64; NAMES.len()] {
         ..Preparation::default()
     };
     let rough = prepare(trace, &recipe).unwrap().profile;
-    let found = Parameters::of(&rough, Mode::Iso4287, LAMBDA_C).unwrap();
+    let found = Parameters::from_profile(&rough, Mode::Iso4287, LAMBDA_C).unwrap();
     let (h, m) = (&found.heights, &found.material);
     let summits = summit_statistics(&rough, LAMBDA_S).unwrap();
     [

@@ -84,7 +84,7 @@ impl From<StorageError> for Fault {
     fn from(error: StorageError) -> Self {
         match error {
             StorageError::Fault(fault) => fault,
-            error => Self::of(Code::E401, error),
+            error => Self::from_cause(Code::E401, error),
         }
     }
 }

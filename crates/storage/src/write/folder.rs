@@ -76,7 +76,7 @@ pub fn replace_folder<E: From<StorageError>>(
     let refused = StorageError::io(target);
     let made = draft.made();
     let listed = || -> io::Result<()> {
-        fs::write(made.join(MANIFEST), Manifest::of(&made)?.bytes())?;
+        fs::write(made.join(MANIFEST), Manifest::from_folder(&made)?.bytes())?;
         sync_tree(&made)
     };
     listed().map_err(&refused)?;
@@ -201,7 +201,11 @@ mod tests {
         replace_folder(&target, "result", write("1")).unwrap();
         let draft = filled(&target, write("2")).unwrap();
         let made = draft.made();
-        fs::write(made.join(MANIFEST), Manifest::of(&made).unwrap().bytes()).unwrap();
+        fs::write(
+            made.join(MANIFEST),
+            Manifest::from_folder(&made).unwrap().bytes(),
+        )
+        .unwrap();
         name_in_two_steps(&draft, &target, "result").unwrap();
         assert_eq!(fs::read_to_string(target.join("a.txt")).unwrap(), "2");
         drop(draft);

@@ -38,7 +38,7 @@ impl Manifest {
     }
 
     /// The manifest of all files in `folder`.
-    pub fn of(folder: &Path) -> io::Result<Self> {
+    pub fn from_folder(folder: &Path) -> io::Result<Self> {
         let mut manifest = Self::new();
         for name in entries(folder)? {
             let sum = sum_of_file(&folder.join(&name))?;

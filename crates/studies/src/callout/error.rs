@@ -41,5 +41,5 @@ pub(crate) fn above_rough(loss_w: f64, rough_w: f64, ra_um: f64, smooth_w: f64) 
 
 /// No recipe can be fitted to the traces, or a flank of it has no parameter.
 pub(crate) fn of_recipe(error: RoughnessError) -> Fault {
-    Fault::of(Code::E120, error).about("the recipe of the flanks")
+    Fault::from_cause(Code::E120, error).about("the recipe of the flanks")
 }

@@ -142,7 +142,7 @@ pub(super) struct Process {
 
 impl Process {
     /// Fits the recipes to the traces of `loaded`, and makes periodic profiles for `lots` lots.
-    pub(super) fn of(
+    pub(super) fn new(
         loaded: &LoadedCase,
         (scatter, seed): (f64, u64),
         lots: usize,
@@ -159,7 +159,7 @@ impl Process {
         let rq = |body: usize| -> Result<f64, Fault> {
             let of = traces[body]
                 .iter()
-                .map(|trace| Ok(Inspected::of(trace, section)?.values[1]));
+                .map(|trace| Ok(Inspected::new(trace, section)?.values[1]));
             Ok(of.sum::<Result<f64, Fault>>()? / traces[body].len() as f64)
         };
         let ratio = rq(0)? / rq(1)?;
@@ -171,7 +171,7 @@ impl Process {
         let mut recipes = Vec::new();
         let mut ra = 0.0;
         for traces in &of_recipes {
-            let (recipe, own) = Recipe::of(traces, section, (seed, lots * POINTS_OF_A_LOT))?;
+            let (recipe, own) = Recipe::new(traces, section, (seed, lots * POINTS_OF_A_LOT))?;
             recipes.push(recipe);
             ra += own / of_recipes.len() as f64;
         }
@@ -228,7 +228,7 @@ impl Process {
         for _ in 0..count {
             let mut mean = [0.0; 3];
             for recipe in &self.recipes {
-                let found = Inspected::of(&flank(recipe, recipe.points)?, self.section)?;
+                let found = Inspected::new(&flank(recipe, recipe.points)?, self.section)?;
                 for (mean, (value, of_recipe)) in
                     mean.iter_mut().zip(found.values.iter().zip(recipe.values))
                 {
@@ -246,8 +246,8 @@ impl Process {
             let traces = [of(0)?, of(1)?];
             let [one, other] = &traces;
             let found = [
-                Inspected::of(one, self.section)?,
-                Inspected::of(other, self.section)?,
+                Inspected::new(one, self.section)?,
+                Inspected::new(other, self.section)?,
             ];
             let [one, other] = [found[0].values, found[1].values];
             pairs.push([0, 1, 2].map(|k| 0.5 * (0.5 * (one[k].powi(2) + other[k].powi(2))).ln()));
@@ -279,13 +279,15 @@ impl Process {
         let found = Run::new(&case).losses()?.into_only()?;
         let each = found.offsets.len() / met.pairs();
         let pairs = found.offsets.chunks_exact(each);
-        Ok(pairs.map(|rows| mean(rows.iter().map(|row| row.loss_w))).collect())
+        Ok(pairs
+            .map(|rows| mean(rows.iter().map(|row| row.loss_w)))
+            .collect())
     }
 }
 
 impl Recipe {
     /// The recipe of `traces` and its mean Ra \[m\].
-    fn of(
+    fn new(
         traces: &[Profile],
         section: Length,
         (seed, size): (u64, usize),
@@ -312,7 +314,7 @@ impl Recipe {
         for whole in &wholes {
             going()?;
             for part in whole.heights().chunks_exact(points) {
-                let found = Inspected::of(&Profile::new(fitted.spacing, part.to_vec())?, section)?;
+                let found = Inspected::new(&Profile::new(fitted.spacing, part.to_vec())?, section)?;
                 for (sum, value) in sum.iter_mut().zip(found.values) {
                     *sum += value;
                 }
@@ -364,7 +366,7 @@ struct Inspected {
 }
 
 impl Inspected {
-    fn of(trace: &Profile, section: Length) -> Result<Self, Fault> {
+    fn new(trace: &Profile, section: Length) -> Result<Self, Fault> {
         const MICRO: f64 = 1e6;
         let sections = sections_in(trace, section).map_err(of_recipe)?;
         let heights = in_sections(trace, Mode::Iso4287, sections).map_err(of_recipe)?;
@@ -431,7 +433,7 @@ mod tests {
     /// Lots of flanks of one finish, scattered by 10 %.
     fn alike() -> &'static Process {
         static PROCESS: OnceLock<Process> = OnceLock::new();
-        PROCESS.get_or_init(|| Process::of(&e_drive(1.0), (0.1, 1), 20).unwrap())
+        PROCESS.get_or_init(|| Process::new(&e_drive(1.0), (0.1, 1), 20).unwrap())
     }
 
     /// Mean and standard deviation of Rq over the traces of 24 lots, over Rq of the recipe.
@@ -448,7 +450,7 @@ mod tests {
 
     #[test]
     fn traces_of_lots_have_the_parameters_of_the_recipe_with_the_stated_scatter() {
-        let even = Process::of(&e_drive(1.0), (0.0, 1), 20).unwrap();
+        let even = Process::new(&e_drive(1.0), (0.0, 1), 20).unwrap();
         let [[even, sampled], [mean, scattered]] = [rq(&even), rq(alike())];
         // 192 traces from 32 lengths: 8 % over the root of 32.
         assert!(
@@ -464,7 +466,7 @@ mod tests {
     #[test]
     fn flanks_of_different_finishes_have_recipes_of_their_own() {
         assert_eq!(alike().values().len(), 1);
-        let process = Process::of(&e_drive(0.3), (0.1, 1), 20).unwrap();
+        let process = Process::new(&e_drive(0.3), (0.1, 1), 20).unwrap();
         let [pinion, wheel] = process.values()[..] else {
             panic!("two recipes");
         };

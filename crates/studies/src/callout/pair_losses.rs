@@ -32,7 +32,13 @@ pub(super) fn losses_of_lots(lots: &[Lot], of_first: &[f64]) -> (Vec<f64>, f64) 
     let losses = DVector::from_column_slice(of_first);
     let normal = rows.tr_mul(&rows).symmetric_eigen();
     // Parameters that do not differ have no coefficient.
-    let inverse = |value: f64| if value > LEAST * count { value.recip() } else { 0.0 };
+    let inverse = |value: f64| {
+        if value > LEAST * count {
+            value.recip()
+        } else {
+            0.0
+        }
+    };
     let along = normal.eigenvectors.tr_mul(&rows.tr_mul(&losses));
     let constants = &normal.eigenvectors * normal.eigenvalues.map(inverse).component_mul(&along);
     let rests = &losses - rows * &constants;
@@ -80,14 +86,23 @@ mod tests {
             let (found, error) = losses_of_lots(&lots, &first);
             // The scatter of the lots is that of the means over all pairs, 9.85 W with the rests of 16.
             let scatters = [&found, &exact].map(|losses| deviation(losses).unwrap());
-            assert!((scatters[0] / scatters[1] - 1.0).abs() < 0.06, "{scatters:?}");
+            assert!(
+                (scatters[0] / scatters[1] - 1.0).abs() < 0.06,
+                "{scatters:?}"
+            );
             // 4 W times the root of 15/16 over 10.
-            assert!((error / (0.4 * 0.9375_f64.sqrt()) - 1.0).abs() < 0.3, "{error}");
+            assert!(
+                (error / (0.4 * 0.9375_f64.sqrt()) - 1.0).abs() < 0.3,
+                "{error}"
+            );
             off.push((mean(found) - mean(exact)) / error);
         }
         // Standard deviation of 40 standardised errors: 1 within three standard errors of 0.11.
         let spread = deviation(&off).unwrap();
-        assert!((spread - 1.0).abs() < 0.34 && mean(off).abs() < 0.5, "{spread}");
+        assert!(
+            (spread - 1.0).abs() < 0.34 && mean(off).abs() < 0.5,
+            "{spread}"
+        );
     }
 
     #[test]

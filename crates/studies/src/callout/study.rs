@@ -236,7 +236,7 @@ pub fn callout(
     progress: Progress<'_>,
 ) -> Result<CallOut, Fault> {
     settings.check()?;
-    let process = Process::of(
+    let process = Process::new(
         case,
         (settings.scatter.value(), settings.seed),
         settings.lots,
@@ -262,7 +262,7 @@ fn of_process(
         progress(done.min(runs), runs);
     };
     let first = process.batch(0..TOGETHER, 0)?;
-    let mut curve = Curve::of(process, &first, settings.loss, &count)?;
+    let mut curve = Curve::new(process, &first, settings.loss, &count)?;
     let batches = (0..settings.lots).step_by(TOGETHER);
     let batches: Vec<usize> = batches.collect();
     let found = try_par_map(&batches, |begin| -> Result<_, Fault> {
@@ -272,9 +272,9 @@ fn of_process(
         count(batch.lots.len());
         Ok(batch.lots.into_iter().zip(losses).collect::<Vec<_>>())
     })?;
-    let met = MetLots::of(found.into_iter().flatten().collect(), &mut curve);
+    let met = MetLots::new(found.into_iter().flatten().collect(), &mut curve);
     progress(runs, runs);
-    let parameters = [0, 1, 2].map(|k| Evaluated::of(&met, k, settings));
+    let parameters = [0, 1, 2].map(|k| Evaluated::new(&met, k, settings));
     let best = |k: &usize| parameters[*k].quantile.deviation;
     let chosen = match settings.parameter {
         Some(stated) => RoughnessParameter::ALL
@@ -333,7 +333,7 @@ fn of_process(
         by_traces: inspected_numbers(traces)
             .map(|traces| TracesRow {
                 traces,
-                limit_over_recipe: Quantile::of(&met, chosen, traces, settings.confidence.value())
+                limit_over_recipe: Quantile::new(&met, chosen, traces, settings.confidence.value())
                     .limit,
             })
             .collect(),
@@ -379,7 +379,7 @@ struct Curve {
 
 impl Curve {
     /// The curve of the first pairs of the lots of `batch`.
-    fn of(
+    fn new(
         process: &Process,
         batch: &Batch,
         stated: LossTarget,
@@ -530,7 +530,7 @@ struct MetLots {
 impl MetLots {
     /// The lots of `found` with the loss of their first pair at the height of the curve, whose level becomes theirs. The loss of
     /// a lot at another height is the loss of the curve at the height that differs in the same ratio.
-    fn of(found: Vec<(Lot, f64)>, curve: &mut Curve) -> Self {
+    fn new(found: Vec<(Lot, f64)>, curve: &mut Curve) -> Self {
         let (lots, losses): (Vec<Lot>, Vec<f64>) = found.into_iter().unzip();
         let (losses, error) = losses_of_lots(&lots, &losses);
         let run = curve.height.ln();
@@ -566,7 +566,7 @@ impl Quantile {
     /// S is the standard deviation of ln(s* u_n) over the lots, t_c the quantile c of Student's distribution of K − 1
     /// degrees of freedom: a further lot of the same process is below its s* u_n with the probability c. The standard error of
     /// ln x is S √((1 + t_c²/2)/K), with the error that all s* have in common added as a square.
-    fn of(met: &MetLots, parameter: usize, traces: usize, confidence: f64) -> Self {
+    fn new(met: &MetLots, parameter: usize, traces: usize, confidence: f64) -> Self {
         cite!("Call-out-limit");
         let of =
             |lot: &MetLot| lot.ln_height + mean_of_first(&lot.inspected, traces)[parameter].ln();
@@ -599,7 +599,7 @@ struct Evaluated {
 }
 
 impl Evaluated {
-    fn of(met: &MetLots, parameter: usize, settings: &CallOutSettings) -> Self {
+    fn new(met: &MetLots, parameter: usize, settings: &CallOutSettings) -> Self {
         let within = met.lots.iter().map(|lot| {
             let of: Vec<f64> = lot
                 .inspected
@@ -610,13 +610,13 @@ impl Evaluated {
             (deviation / mean).powi(2)
         });
         let of_traces = (within.sum::<f64>() / met.lots.len() as f64).sqrt();
-        let all = Quantile::of(met, parameter, MOST_TRACES, settings.confidence.value());
+        let all = Quantile::new(met, parameter, MOST_TRACES, settings.confidence.value());
         let needed = traces_needed(&all, of_traces);
         let traces = settings.traces.unwrap_or(needed);
         Self {
             traces,
             of_traces,
-            quantile: Quantile::of(met, parameter, traces, settings.confidence.value()),
+            quantile: Quantile::new(met, parameter, traces, settings.confidence.value()),
         }
     }
 }
@@ -698,7 +698,7 @@ mod tests {
     #[test]
     fn a_loss_by_a_change_is_that_of_flanks_like_these_less_the_change() {
         let lots = shared().batch(0..TOGETHER, 0).unwrap();
-        let of = |loss: &str| Curve::of(shared(), &lots, for_loss(loss).loss, &|_| {}).unwrap();
+        let of = |loss: &str| Curve::new(shared(), &lots, for_loss(loss).loss, &|_| {}).unwrap();
         let share = of("10 % less");
         let present = share.loss_at(0.0);
         assert!((share.target / present - 0.9).abs() < 1e-12);
@@ -711,7 +711,7 @@ mod tests {
     fn limit_and_number_of_traces_of_normal_lots_are_those_of_the_closed_form() {
         let lots = lots(4000);
         let mut settings = for_loss("500 W");
-        let found = Evaluated::of(&lots, 0, &settings);
+        let found = Evaluated::new(&lots, 0, &settings);
         // z = 1.2816: (0.05 + ln 1.02/1.2816)² − 0.05² = 0.001784, and 0.16² over it is 14.4.
         assert!((14..=16).contains(&found.traces), "{}", found.traces);
         let all =
@@ -719,7 +719,7 @@ mod tests {
         for ((confidence, z), traces) in all.into_iter().flatten() {
             settings.confidence = Ratio::new(confidence);
             settings.traces = Some(traces);
-            let found = Evaluated::of(&lots, 1, &settings).quantile;
+            let found = Evaluated::new(&lots, 1, &settings).quantile;
             // The mean of n lognormal numbers is above their median by half their variance.
             let square = 0.16_f64.powi(2);
             let deviation = (0.05_f64.powi(2) + square / traces as f64).sqrt();
@@ -738,13 +738,13 @@ mod tests {
     fn one_trace_suffices_without_confidence_or_scatter() {
         let mut settings = for_loss("500 W");
         settings.confidence = Ratio::new(0.5);
-        assert_eq!(Evaluated::of(&lots(100), 0, &settings).traces, 1);
+        assert_eq!(Evaluated::new(&lots(100), 0, &settings).traces, 1);
     }
 
     /// Lots of the e-drive at two positions, with traces of 1.8 mm.
     fn e_drive(seed: u64) -> Process {
         let case = super::super::lots::e_drive_of(3600, [1.0; 2]);
-        Process::of(&case, (0.1, seed), 24).unwrap()
+        Process::new(&case, (0.1, seed), 24).unwrap()
     }
 
     /// The process of both tests of a call-out.
@@ -820,7 +820,7 @@ mod tests {
     fn of_500_lots_at_the_limit_85_to_95_percent_meet_the_loss() {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
         let case = load_with(file, &|input| input.model.positions = Some(16)).unwrap();
-        let others = Process::of(&case, (0.1, 1001), 500).unwrap();
+        let others = Process::new(&case, (0.1, 1001), 500).unwrap();
         let settings = for_loss("560 W");
         let found = callout(&case, &settings, &|_, _| {}).unwrap();
         let met = share(&others, &found, 500);

@@ -235,7 +235,7 @@ pub(super) fn in_case(
         }
         _ => None,
     };
-    let mesh = Mesh::of(&before.case)?;
+    let mesh = Mesh::new(&before.case)?;
     let flanks = WornFlank::BOTH.into_iter().map(|flank| {
         let states = ([&before, &after], run_in.as_ref());
         flank_change(&mesh, (flank, engagements), &pairs, states)
@@ -547,7 +547,7 @@ fn flank_change(
     }
     let case = &states[0].case;
     let gears = &case.gears;
-    let severity = Severity::of(mesh, gears, flank.gear());
+    let severity = Severity::new(mesh, gears, flank.gear());
     let places: Vec<Vec<AtPlace>> = own
         .iter()
         .map(|on| severity.at_places(on.arcs(), on.found.before.length().si()))

@@ -255,7 +255,7 @@ impl StudySettings for ChangeSettings {
         let removed = pairs.iter().map(|pair| pair.heights.removed_nm.value);
         let removed: Vec<f64> = removed.collect();
         let mean = Heights::mean(pairs.iter().map(|pair| pair.heights));
-        let parameters: Vec<_> = means(&parameters).map(ParameterRow::of).collect();
+        let parameters: Vec<_> = means(&parameters).map(ParameterRow::from_change).collect();
         let is_undecided = bounds.form == Form::Level && is_undecided(&mean, &parameters);
         let with_bow = is_undecided.then(|| with_bow(&matched, bounds));
         Ok(TraceChange {
@@ -264,7 +264,7 @@ impl StudySettings for ChangeSettings {
             mean_with_bow: with_bow.transpose()?.flatten(),
             scatter_nm: deviation(&removed),
             parameters,
-            material_ratio: means(&levels).map(CurveRow::of).collect(),
+            material_ratio: means(&levels).map(CurveRow::from_change).collect(),
             pairs,
             in_case,
             warnings,
@@ -411,7 +411,7 @@ impl ParameterRow {
         self.change_um.abs() > self.floor_um
     }
 
-    fn of(change: MeanChange<&'static str>) -> Self {
+    fn from_change(change: MeanChange<&'static str>) -> Self {
         Self {
             parameter: change.of,
             before_um: change.before,
@@ -423,7 +423,7 @@ impl ParameterRow {
 }
 
 impl CurveRow {
-    fn of(change: MeanChange<f64>) -> Self {
+    fn from_change(change: MeanChange<f64>) -> Self {
         Self {
             material_ratio_percent: change.of,
             before_um: change.before,

@@ -57,7 +57,7 @@ impl Severity {
     /// ```
     ///
     /// u is the speed of the flank of this gear, so that s differs from pinion to wheel.
-    pub(super) fn of(mesh: &Mesh, gears: &GearPair, gear: Gear) -> Self {
+    pub(super) fn new(mesh: &Mesh, gears: &GearPair, gear: Gear) -> Self {
         cite!("Sliding-distance");
         let base = gears.base_radius[gear as usize].si().abs();
         let cosine = gears.base_helix.si().cos();
@@ -224,8 +224,8 @@ mod tests {
     fn a_point_slides_by_the_width_of_the_contact_times_its_slip() {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
         let case = asperity::case::load(file, None).unwrap().case.clone();
-        let mesh = Mesh::of(&case).unwrap();
-        let found = [Gear::Pinion, Gear::Wheel].map(|gear| Severity::of(&mesh, &case.gears, gear));
+        let mesh = Mesh::new(&case).unwrap();
+        let found = [Gear::Pinion, Gear::Wheel].map(|gear| Severity::new(&mesh, &case.gears, gear));
         let at = &mesh.positions[0];
         // While the contact passes over a point of a flank, the flanks slide past each other.
         for (k, (speed, roll)) in [

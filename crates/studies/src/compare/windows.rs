@@ -43,7 +43,7 @@ pub(super) fn roughness(
     loaded: &LoadedCase,
     offsets: usize,
 ) -> Result<Vec<WindowRoughness>, PositionError> {
-    let positions = Mesh::of(&loaded.case)?.positions;
+    let positions = Mesh::new(&loaded.case)?.positions;
     let model = &loaded.case.model;
     let surfaces = &loaded.surfaces;
     let at = |at: &MeshPosition, offset: (usize, usize)| {

@@ -35,7 +35,7 @@ pub struct Uncovered {
 impl Coverage {
     /// Computes the shares of `cycle` outside of `surface`.
     #[must_use]
-    pub fn of(surface: &Surface, cycle: &Cycle) -> Self {
+    pub fn new(surface: &Surface, cycle: &Cycle) -> Self {
         let energy = |point: &CyclePoint| point.power_w().abs() * point.weight_s;
         let is_outside = |point: &CyclePoint| {
             let at = surface.loss_torque(point.torque_nm, point.speed_rpm);
@@ -166,7 +166,7 @@ impl From<Uncovered> for Fault {
         let remedy = Remedy::act(way)
             .or_set(Setting::Key("allow_outside"), Value::Any)
             .because("to accept the ratio of loss to torque at the edge");
-        Self::of(Code::E314, error).with(remedy)
+        Self::from_cause(Code::E314, error).with(remedy)
     }
 }
 
@@ -201,7 +201,7 @@ mod tests {
     fn refusal(rows: impl Iterator<Item = [f64; 2]>) -> (String, usize) {
         let rows: String = rows.map(|[t, v]| format!("{t},{v}\n")).collect();
         let found = cycle(&format!("time_s,v_mps\n{rows}"), Some(&vehicle())).unwrap();
-        let fault = Fault::from(Coverage::of(&surface(), &found).check().unwrap_err());
+        let fault = Fault::from(Coverage::new(&surface(), &found).check().unwrap_err());
         assert_eq!(fault.code(), Code::E314);
         (format!("{fault}; {}", fault.remedy()), found.warnings.len())
     }
@@ -258,7 +258,7 @@ mod tests {
         let rows: String = (0..100).map(row).collect();
         let text = format!("time_s,torque_nm,speed_rpm\n{rows}");
         let found = cycle(&text, None).unwrap();
-        let fault = Coverage::of(&surface(), &found).check().unwrap_err();
+        let fault = Coverage::new(&surface(), &found).check().unwrap_err();
         holds(
             &fault.to_string(),
             &[
@@ -290,7 +290,7 @@ mod tests {
             .map(|k| format!("{k},20,{}\n", 4000 * k))
             .collect::<String>();
         let found = cycle(&format!("time_s,torque_nm,speed_rpm\n{rows}"), None).unwrap();
-        let fault = Coverage::of(&surface(), &found).check().unwrap_err();
+        let fault = Coverage::new(&surface(), &found).check().unwrap_err();
         holds(
             &fault.to_string(),
             &["speed in 1/min up to 32000 at line 10 (t = 8.00 s)"],

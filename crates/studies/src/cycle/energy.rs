@@ -163,7 +163,7 @@ pub fn evaluate(
     let surfaces: Vec<Surface> = surfaces.collect::<Option<_>>().ok_or_else(|| holes(map))?;
     // All finishes have the same nodes.
     let first = surfaces.first().ok_or_else(|| holes(map))?;
-    let coverage = Coverage::of(first, cycle);
+    let coverage = Coverage::new(first, cycle);
     if !takes_any {
         coverage.check()?;
     }

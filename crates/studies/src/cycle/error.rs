@@ -73,7 +73,7 @@ pub(super) fn vehicle(key: &'static str, value: f64, rule: &'static str) -> Faul
 
 /// A row has another number of cells than the header.
 pub(super) fn ragged(ragged: Ragged) -> Fault {
-    Fault::of(Code::E101, ragged)
+    Fault::from_cause(Code::E101, ragged)
 }
 
 /// A cell is not a finite number.

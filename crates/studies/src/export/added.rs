@@ -24,7 +24,7 @@ pub struct AddedLoss {
 
 /// The file is not a valid table.
 fn unreadable(error: Fault) -> Fault {
-    Fault::of(Code::E101, error).helping(
+    Fault::from_cause(Code::E101, error).helping(
         "The table has the columns speed_rpm, loss_torque_nm or loss_w and, where the loss depends on them, torque_nm and temperature_c, as a grid; a loss map of VECTO (vtlm) is one.",
     )
 }

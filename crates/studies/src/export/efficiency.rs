@@ -11,7 +11,7 @@ use crate::cycle::Coverage;
 pub(super) fn fastsim(field: &Field, with: &With<'_>) -> Result<Vec<u8>, Fault> {
     let cycle = with.cycle.ok_or_else(|| error::no_cycle("fastsim"))?;
     let surface = field.surface();
-    let coverage = Coverage::of(&surface, cycle);
+    let coverage = Coverage::new(&surface, cycle);
     coverage
         .check()
         .map_err(|source| error::uncovered("fastsim", source))?;

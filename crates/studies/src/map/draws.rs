@@ -103,7 +103,7 @@ pub(super) struct Nodes {
 
 impl Nodes {
     /// Nodes among the absolute torques at which one side of the teeth is computed, and the other axes of the map.
-    pub fn of(band: MapBand, torques: &[f64], axes: &Axes) -> Self {
+    pub fn new(band: MapBand, torques: &[f64], axes: &Axes) -> Self {
         let temperatures = &axes.temperature_c;
         let Some(last) = temperatures.len().checked_sub(1) else {
             return Self::default();
@@ -158,7 +158,7 @@ pub(crate) type Place = [u32; 4];
 
 impl<'a> Drawn<'a> {
     /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn).
-    pub(super) fn of(
+    pub(super) fn new(
         sides: &'a [DrawnNodes],
         meshes: usize,
         beside: Beside<'_>,
@@ -244,7 +244,7 @@ impl<'a> Drawn<'a> {
 
 /// Coordinate of `value` among ascending `nodes` in parts of an interval, held at the ends.
 fn coordinate(nodes: &[f64], value: f64) -> u32 {
-    let interval = NodeInterval::of(nodes, |node| *node, value).held();
+    let interval = NodeInterval::from_nodes(nodes, |node| *node, value).held();
     // NaN counts as the lower node.
     let part = (interval.part * f64::from(PARTS)).round() as u32;
     PARTS * interval.low as u32 + part * (interval.high - interval.low) as u32
@@ -259,13 +259,13 @@ mod tests {
         let speeds = [0.0, 1.0, 10.0, 100.0];
         let axes = Axes::new(&[100.0], &speeds, &[20.0, 40.0, 60.0, 90.0]).unwrap();
         let torques = [1.0, 3.0, 20.0, 50.0, 80.0, 100.0];
-        let nodes = Nodes::of(MapBand::Nodes, &torques, &axes);
+        let nodes = Nodes::new(MapBand::Nodes, &torques, &axes);
         assert_eq!(nodes.torque_nm, [3.0, 20.0, 100.0]);
         assert_eq!(nodes.speed_rpm, [10.0, 100.0]);
         assert_eq!(nodes.temperature_c, [20.0, 40.0, 90.0]);
         assert!(nodes.has(20.0, 10.0, 90.0) && !nodes.has(50.0, 10.0, 90.0));
         assert_eq!(three(&torques[2..]), [20.0, 50.0, 100.0]);
-        assert_eq!(Nodes::of(MapBand::None, &torques, &axes), Nodes::default());
+        assert_eq!(Nodes::new(MapBand::None, &torques, &axes), Nodes::default());
     }
 
     #[test]

@@ -125,7 +125,7 @@ pub(super) fn evaluate(
     progress: &(dyn Fn() + Sync),
 ) -> Vec<Result<Evaluated, Code>> {
     let code = |error: &Error| error.code().to_owned();
-    let prepared = Prepared::of(train, (torque, run_in), speeds);
+    let prepared = Prepared::new(train, (torque, run_in), speeds);
     let nodes = temperatures.iter().flat_map(|temperature| {
         let at = |(column, speed): (usize, &f64)| (column, *speed, *temperature);
         speeds.iter().enumerate().map(at)
@@ -156,7 +156,7 @@ struct Prepared {
 }
 
 impl Prepared {
-    fn of(
+    fn new(
         train: &Train,
         (torque, run_in): (Torque, &mut RunInFlanks),
         speeds: &[f64],
@@ -484,7 +484,7 @@ fn resolves(case: &LoadedCase) -> Result<bool, asperity::PositionError> {
     let [Texture::Trace(first), Texture::Trace(_)] = case.surfaces.textures() else {
         return Ok(true);
     };
-    let mesh = Mesh::of(&case.case)?;
+    let mesh = Mesh::new(&case.case)?;
     Ok(mesh.positions.iter().all(|at| {
         at.resolution != Resolution::Required
             || at.hertz.half_width / first.spacing() >= LEAST_POINTS_PER_HALF_WIDTH
@@ -526,7 +526,7 @@ mod tests {
         let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
         let folder = Path::new("../../fixtures/profiles");
         let train = Train::load_set(source, folder, &[], &|_| {}).unwrap();
-        let prepared = Prepared::of(
+        let prepared = Prepared::new(
             &train,
             (Torque::from_si(80.0), &mut RunInFlanks::new()),
             &[1500.0],

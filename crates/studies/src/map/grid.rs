@@ -52,7 +52,7 @@ pub fn map<C: Clone + Into<Train>>(
     let mut maps: Vec<FinishMap> = Vec::with_capacity(finishes.len());
     let sides = finishes
         .iter()
-        .map(|finish| Sides::of(&finish.case, axes))
+        .map(|finish| Sides::new(&finish.case, axes))
         .collect::<Result<Vec<_>, _>>()?;
     let speeds = computed_speeds(axes);
     let each = speeds.len() * axes.temperature_c.len();
@@ -173,7 +173,7 @@ struct Sides {
 }
 
 impl Sides {
-    fn of(train: &Train, axes: &Axes) -> Result<Self, Error> {
+    fn new(train: &Train, axes: &Axes) -> Result<Self, Error> {
         let has_coast = |mesh: &LoadedMesh| mesh.case.case.input.surface.coast.is_some();
         let has_coast = train.meshes().any(has_coast);
         // The mesh whose traces resolve least is decisive.
@@ -225,7 +225,7 @@ fn of_finish(
     let drawn = sides
         .torques
         .each_ref()
-        .map(|torques| Nodes::of(band, torques, axes));
+        .map(|torques| Nodes::new(band, torques, axes));
     let mut computed = Computed::new();
     let mut run_in = RunInFlanks::new();
     for (side, torque) in sides.torques() {
@@ -239,7 +239,7 @@ fn of_finish(
     }
     let draws = draws(train, &computed, drawn, sides.differ, (axes, speeds));
     let meshes = train.counts().len();
-    let drawn = Drawn::of(&draws, meshes, Beside::Nothing, 1.0);
+    let drawn = Drawn::new(&draws, meshes, Beside::Nothing, 1.0);
     let nodes = axes.temperature_c.iter().enumerate().flat_map(|(row, t)| {
         let of_torque = move |torque: &f64| {
             let torque = *torque;

@@ -370,7 +370,7 @@ impl FinishMap {
     ) -> Option<Point> {
         let interval = |nodes: &[f64], at: f64| {
             let is_within = nodes.first()? <= &at && &at <= nodes.last()?;
-            is_within.then(|| NodeInterval::of(nodes, |node| *node, at).held())
+            is_within.then(|| NodeInterval::from_nodes(nodes, |node| *node, at).held())
         };
         let torque = interval(&axes.torque_nm, torque_nm)?;
         let speed = interval(&axes.speed_rpm, speed_rpm)?;
@@ -412,7 +412,7 @@ impl FinishMap {
     /// for a map without draws.
     #[must_use]
     pub(crate) fn drawn(&self, beside: Beside<'_>, sampling: f64) -> Option<Drawn<'_>> {
-        Drawn::of(&self.draws, self.meshes.len().max(1), beside, sampling)
+        Drawn::new(&self.draws, self.meshes.len().max(1), beside, sampling)
     }
 }
 

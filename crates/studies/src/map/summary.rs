@@ -15,7 +15,7 @@ use super::point::{EXTENDED, FinishMap, Map, MeshPart, Numbers, Point};
 /// Largest loss, best efficiency and largest loss torque of each finish.
 pub(super) fn extremes(map: &Map) -> Table {
     let finishes = map.finishes.iter();
-    let rows = finishes.filter_map(|finish| Some((finish, Extremes::of(finish)?)));
+    let rows = finishes.filter_map(|finish| Some((finish, Extremes::new(finish)?)));
     let table = columns! { (finish, extremes) in rows;
         head finish "finish" "" = Cell::shown(in_words(&finish.name), finish.name.as_str().into());
         interval loss_w "largest loss" "W" = extremes.loss();
@@ -120,7 +120,7 @@ struct Extremes<'a> {
 }
 
 impl<'a> Extremes<'a> {
-    fn of(finish: &'a FinishMap) -> Option<Self> {
+    fn new(finish: &'a FinishMap) -> Option<Self> {
         let numbers = || {
             let points = finish.points.iter();
             points.filter_map(|point| Some((point, point.numbers?)))
@@ -182,7 +182,7 @@ impl<'a> Extremes<'a> {
 /// Name, number and loss \[W\] of the meshes of a gear train at the largest loss of a finish, which add up to it as printed;
 /// empty of a single mesh.
 fn parts_at_largest(finish: &FinishMap) -> Vec<[String; 3]> {
-    let Some(extremes) = Extremes::of(finish) else {
+    let Some(extremes) = Extremes::new(finish) else {
         return Vec::new();
     };
     let most = &extremes.most;

@@ -33,7 +33,8 @@ impl Surface {
     pub fn loss_torque(&self, torque_nm: f64, speed_rpm: f64) -> Interpolated {
         let [torque_nm, speed_rpm] = forwards(torque_nm, speed_rpm);
         let (at, factor) = held(&self.torque_nm, torque_nm);
-        let interval = |nodes: &[f64], at: f64| NodeInterval::of(nodes, |node| *node, at).held();
+        let interval =
+            |nodes: &[f64], at: f64| NodeInterval::from_nodes(nodes, |node| *node, at).held();
         let across = interval(&self.speed_rpm, speed_rpm);
         let speeds = self.speed_rpm.len();
         let loss = |i: usize| across.mean(|j| self.loss_torque_nm[i * speeds + j]);

@@ -41,7 +41,7 @@ pub(super) struct PointRow<'a> {
 const SEPARATOR: &str = "; ";
 
 impl<'a> PointRow<'a> {
-    fn of(finish: &'a FinishMap, point: &'a Point) -> Self {
+    fn new(finish: &'a FinishMap, point: &'a Point) -> Self {
         let numbers = point.numbers.as_ref();
         let of = |value: fn(&Numbers) -> f64| numbers.map(value);
         let drawn = numbers.and_then(|numbers| numbers.drawn_w);
@@ -121,7 +121,7 @@ impl<'a> PointRow<'a> {
 pub(super) fn write(map: &Map, file: &Path) -> Result<(), Fault> {
     let rows = map.finishes.iter().flat_map(|finish| {
         let points = finish.points.iter();
-        points.map(move |point| PointRow::of(finish, point))
+        points.map(move |point| PointRow::new(finish, point))
     });
     tables::write(file, rows)
 }

@@ -111,7 +111,7 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     checkpoint()?;
     let cases = [&before, &after].map(|found| (&found.case, &found.contacts));
     let draws = match band {
-        true => ChangeDraws::of(cases)?,
+        true => ChangeDraws::new(cases)?,
         false => None,
     };
     progress(4, STEPS);

@@ -56,7 +56,7 @@ pub(super) struct Change {
 
 impl Change {
     /// Makes the changes of a group from what is changed, to what, and the changed case.
-    fn of(group: &'static str) -> impl Fn(String, String, Result<LoadedCase, Error>) -> Self {
+    fn in_group(group: &'static str) -> impl Fn(String, String, Result<LoadedCase, Error>) -> Self {
         move |what, to, case| Self {
             group,
             what,
@@ -78,7 +78,7 @@ pub(super) fn changes(case: &LoadedCase) -> Vec<Change> {
 }
 
 fn flanks(loaded: &LoadedCase) -> Vec<Change> {
-    let change = Change::of("flanks");
+    let change = Change::in_group("flanks");
     let mut changes: Vec<Change> = HEIGHTS
         .into_iter()
         .map(|factor| {
@@ -110,7 +110,7 @@ fn cutoffs(loaded: &LoadedCase) -> Vec<Change> {
     if range(loaded).is_none() {
         return Vec::new();
     }
-    let change = Change::of(FILTERS);
+    let change = Change::in_group(FILTERS);
     let recipe = &loaded.case.preparation;
     let mut changes = Vec::new();
     if let Some(present) = recipe.lambda_c {
@@ -133,7 +133,7 @@ fn cutoffs(loaded: &LoadedCase) -> Vec<Change> {
 /// Less of the scans: rows instead of patches, or single rows instead of several.
 fn scans(loaded: &LoadedCase) -> Option<Change> {
     let scans = less_of_scans(loaded)?;
-    let change = Change::of(SCANS);
+    let change = Change::in_group(SCANS);
     Some(change(scans.taken, scans.other.to_owned(), scans.case))
 }
 
@@ -185,7 +185,7 @@ fn range(loaded: &LoadedCase) -> Option<[Length; 2]> {
 
 fn boundary(loaded: &LoadedCase) -> Vec<Change> {
     let model = &loaded.case.model;
-    let change = Change::of("boundary layer");
+    let change = Change::in_group("boundary layer");
     let friction = [-FRICTION, FRICTION].map(|step| {
         let to = model.boundary_friction + step;
         let case = loaded.with(|input| {
@@ -215,7 +215,7 @@ fn boundary(loaded: &LoadedCase) -> Vec<Change> {
 }
 
 fn oil(loaded: &LoadedCase) -> Vec<Change> {
-    let change = Change::of("oil");
+    let change = Change::in_group("oil");
     let viscosity = VISCOSITY.map(|factor| {
         let case = viscosity(loaded, factor)
             .and_then(|law| loaded.with(|input| input.lubricant.viscosity = Some(law)));
@@ -357,7 +357,7 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
                     gear.get_or_insert_default().tip_relief = Some(TipRelief::Drawn(drawn));
                 }
             });
-            Change::of("gears")(format!("tip relief {}", named(amounts)), named(to), case)
+            Change::in_group("gears")(format!("tip relief {}", named(amounts)), named(to), case)
         })
         .collect()
 }

@@ -28,7 +28,7 @@ struct CrossedAxis {
 pub(super) struct Axes(Vec<CrossedAxis>);
 
 impl Axes {
-    pub(super) fn of(study: &StudyInput) -> Result<Self, SweepError> {
+    pub(super) fn from_input(study: &StudyInput) -> Result<Self, SweepError> {
         Ok(Self(study.axis.iter().map(axis).collect::<Result<_, _>>()?))
     }
 

@@ -100,7 +100,7 @@ pub(super) struct CaseInputs {
 }
 
 impl CaseList {
-    pub(super) fn of(study: &Study) -> Result<Self, SweepError> {
+    pub(super) fn new(study: &Study) -> Result<Self, SweepError> {
         let sample = match &study.input.sample {
             None => Sample::One,
             Some(input) if input.method == Method::List => list(study)?,

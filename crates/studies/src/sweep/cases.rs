@@ -18,7 +18,7 @@ use super::study::Study;
 ///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
 /// })?;
 /// let text = r#"{ "axis": [{ "key": "operation.speed", "values": ["3000 1/min", "9000 1/min"] }], "columns": ["loss_w"] }"#;
-/// let cases = Cases::of(Study::of_case(case, text, ".".as_ref())?)?;
+/// let cases = Cases::new(Study::of_case(case, text, ".".as_ref())?)?;
 /// assert_eq!(cases.header(), ["case", "id", "operation.speed", "loss_w", "outside", "code"]);
 /// let rows = cases.rows(0..cases.count())?;
 /// assert_eq!(rows[1][2], "9000 1/min");
@@ -36,9 +36,9 @@ impl Cases {
     ///
     /// # Errors
     /// When the study is not valid.
-    pub fn of(study: Study) -> Result<Self, SweepError> {
+    pub fn new(study: Study) -> Result<Self, SweepError> {
         Ok(Self {
-            list: CaseList::of(&study)?,
+            list: CaseList::new(&study)?,
             contacts: SharedContacts::default(),
             study,
         })

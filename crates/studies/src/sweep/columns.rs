@@ -33,7 +33,7 @@ pub enum InputValues {
 
 impl InputColumn {
     /// The column of these cells: numbers if all are numbers of the same unit.
-    pub(super) fn of(name: String, cells: Vec<String>) -> Self {
+    pub(super) fn new(name: String, cells: Vec<String>) -> Self {
         let amounts: Vec<Amount> = cells
             .iter()
             .map_while(|cell| Amount::read(&name, &Value::String(cell.clone())).ok())

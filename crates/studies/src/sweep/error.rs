@@ -160,9 +160,9 @@ impl From<SweepError> for Fault {
             SweepError::Fault(fault) => fault,
             error @ SweepError::Changed { .. } => {
                 let code = error.code();
-                Self::of(code, error).with(Remedy::act("run the study again"))
+                Self::from_cause(code, error).with(Remedy::act("run the study again"))
             }
-            error => Self::of(error.code(), error),
+            error => Self::from_cause(error.code(), error),
         }
     }
 }

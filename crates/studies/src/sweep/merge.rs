@@ -21,7 +21,7 @@ use crate::map::ranges;
 /// # Errors
 /// When a case is in no part, a part is damaged, or two parts contradict each other.
 pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
-    let list = CaseList::of(study)?;
+    let list = CaseList::new(study)?;
     let (rows, _) = read(study, &list, folder)?;
     let count = list.count();
     if rows.len() < count {
@@ -100,7 +100,7 @@ fn inputs_of(list: &CaseList, rows: &Rows) -> Vec<InputColumn> {
         let cells = rows
             .values()
             .filter_map(|row| row.get(BEFORE + at).cloned());
-        InputColumn::of(name, cells.collect())
+        InputColumn::new(name, cells.collect())
     };
     names.map(column).collect()
 }

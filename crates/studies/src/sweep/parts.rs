@@ -40,7 +40,7 @@ pub struct Status {
 /// # Errors
 /// When the study is not valid, or a part is damaged.
 pub fn status(study: &Study, folder: &Path) -> Result<Status, SweepError> {
-    let list = CaseList::of(study)?;
+    let list = CaseList::new(study)?;
     let (rows, parts) = read(study, &list, folder)?;
     let missing: Vec<usize> = (0..list.count())
         .filter(|n| !rows.contains_key(n))

@@ -40,7 +40,7 @@ pub struct Plan {
 pub fn plan(study: &Study, watch: &(dyn Fn(usize, usize) + Sync)) -> Result<Plan, SweepError> {
     /// Number of cases run for the estimate.
     const SAMPLED: usize = 3;
-    let list = CaseList::of(study)?;
+    let list = CaseList::new(study)?;
     let count = list.count();
     let checked = checked(&list, &Vec::from_iter(0..count));
     let refused = refusals(study, &list, &checked, watch)?;

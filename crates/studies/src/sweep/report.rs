@@ -159,7 +159,7 @@ fn over(
     name: &str,
     (values, ends): (&[f64], Option<[&[f64]; 2]>),
 ) -> Option<Drawing> {
-    let output = Output::of(name);
+    let output = Output::from_name(name);
     let id = format!("{name}-over-{}", axis.name.replace(['.', ' '], "-"));
     let title = format!("{} over {}", output.name, input_name(&axis.name));
     let title = capitalised(&title);
@@ -257,7 +257,7 @@ fn over(
 /// The input with the largest effect on the first result, in words; `None` without effects.
 fn largest(merged: &Merged) -> Option<String> {
     let (name, _) = merged.outputs.first()?;
-    let output = Output::of(name);
+    let output = Output::from_name(name);
     let row = *by_size(merged, name).first()?;
     let effect = row.effect?;
     let between = between(merged, &row.input, &effect).map_or(String::new(), |[low, high]| {
@@ -277,7 +277,7 @@ const OVERLAP: &str = " Their intervals overlap, and do not tell whether these t
 /// The lowest and the highest of the first result with their axes, in words; `None` if all are equal.
 fn extremes(merged: &Merged) -> Option<String> {
     let (name_of, values) = merged.outputs.first()?;
-    let output = Output::of(name_of);
+    let output = Output::from_name(name_of);
     let cases = || (0..values.len()).filter(|k| values[*k].is_finite());
     let by_value = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
     let (low, high) = (cases().min_by(by_value)?, cases().max_by(by_value)?);
@@ -329,7 +329,7 @@ fn by_size<'a>(merged: &'a Merged, name: &str) -> Vec<&'a EffectRow> {
 
 /// Inputs by the size of their effect on a result, largest first; to the left where the result falls.
 fn tornado(merged: &Merged, name: &str) -> Option<Drawing> {
-    let output = Output::of(name);
+    let output = Output::from_name(name);
     let rows = by_size(merged, name);
     let bar = |row: &&EffectRow| {
         let effect = row.effect?;

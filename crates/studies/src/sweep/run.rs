@@ -96,7 +96,7 @@ pub fn run(
     folder: &Path,
     watch: &(dyn Fn(Event<'_>) + Sync),
 ) -> Result<usize, SweepError> {
-    let list = CaseList::of(study)?;
+    let list = CaseList::new(study)?;
     make_folder_of_parts(study, folder)?;
     let (done, _) = read(study, &list, folder)?;
     let pending: Vec<usize> = (shard.number - 1..list.count())

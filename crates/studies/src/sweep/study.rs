@@ -57,7 +57,7 @@ impl Study {
         let case = case_of(&folder.join(case_file), input.mesh.as_deref())?;
         let stem = file.file_stem().unwrap_or_default();
         let name = stem.to_string_lossy().into_owned();
-        Self::of(input, &text.replace('\r', ""), case, (name, folder))
+        Self::new(input, &text.replace('\r', ""), case, (name, folder))
     }
 
     /// Makes a study of `case` with the other keys of a study file, as the text of a JSON object; files that it names are
@@ -73,10 +73,10 @@ impl Study {
             SweepError::key(IN_MEMORY, message.strip_suffix(&place).unwrap_or(&message))
         })?;
         let name = (IN_MEMORY.to_owned(), folder.to_owned());
-        Self::of(input, text, case.into(), name)
+        Self::new(input, text, case.into(), name)
     }
 
-    fn of(
+    fn new(
         input: StudyInput,
         text: &str,
         case: Train,
@@ -94,7 +94,7 @@ impl Study {
                 Some(bytes.map_err(|source| unopened(&path, source))?)
             }
         };
-        let axes = Axes::of(&input)?;
+        let axes = Axes::from_input(&input)?;
         let sums = axes.files(&case);
         let mut hash = Fingerprint::default()
             .with(text)

@@ -27,12 +27,12 @@ const UNITS: [(&str, &str); 5] = [
 
 impl Output {
     /// The result in the column `name`.
-    pub(super) fn of(name: &str) -> Self {
+    pub(super) fn from_name(name: &str) -> Self {
         if let Some((mesh, column)) = name
             .strip_prefix("mesh.")
             .and_then(|rest| rest.rsplit_once('.'))
         {
-            let of_mesh = Self::of(column);
+            let of_mesh = Self::from_name(column);
             return Self {
                 name: format!("{} of {mesh}", of_mesh.name),
                 ..of_mesh
@@ -89,7 +89,7 @@ pub(super) const EFFECTS: &str = "effects.csv";
 /// The effects of the inputs by the regression.
 pub(super) fn table(merged: &Merged) -> Table {
     let effects = merged.effects.iter();
-    let rows = effects.map(|row| (row, Output::of(&row.output), row.effect.as_ref()));
+    let rows = effects.map(|row| (row, Output::from_name(&row.output), row.effect.as_ref()));
     let table = columns! { (row, output, effect) in rows;
         text output "result" "" = Cell::shown(output.name.clone(), row.output.as_str().into());
         shown words "input" "" = input_name(&row.input);
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn columns_and_keys_are_named_in_words() {
         let named = |column: &str| {
-            let output = Output::of(column);
+            let output = Output::from_name(column);
             (output.name, output.unit)
         };
         assert_eq!(named("loss_w"), ("loss".to_owned(), "W"));
@@ -199,6 +199,9 @@ mod tests {
             difference: Estimate::new(-130.4, [-141.0, -120.0]),
             correlation: 0.0,
         };
-        assert_eq!(Output::of("loss_w").change(&effect), "-130 (-141..-120) W");
+        assert_eq!(
+            Output::from_name("loss_w").change(&effect),
+            "-130 (-141..-120) W"
+        );
     }
 }

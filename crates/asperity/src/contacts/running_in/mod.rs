@@ -164,7 +164,7 @@ pub(crate) fn tracks<'a>(
     positions: &'a [MeshPosition],
 ) -> Result<Vec<Track<'a>>, PositionError> {
     let zones = 0..measured.zones();
-    let found = zones.map(|zone| Track::of(case, measured, zone, positions));
+    let found = zones.map(|zone| Track::new(case, measured, zone, positions));
     let found = found.collect::<Result<Vec<_>, _>>()?;
     // A zone without contacts keeps its traces.
     match found.iter().all(Option::is_some) {

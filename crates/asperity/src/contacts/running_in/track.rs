@@ -104,7 +104,7 @@ impl<'a> Track<'a> {
     ///
     /// # Errors
     /// When a flank has no trace.
-    pub fn of(
+    pub fn new(
         case: &Case,
         surfaces: &Surfaces,
         zone: usize,
@@ -492,7 +492,7 @@ mod tests {
     #[test]
     fn each_tooth_is_in_contact_as_often_as_its_gear_engages() {
         let case = case();
-        let mesh = Mesh::of(&case.case).unwrap();
+        let mesh = Mesh::new(&case.case).unwrap();
         // The wheel's trace is half as long: its teeth of the gear that are not measured take what is left.
         let mut heights = case
             .surfaces
@@ -502,7 +502,7 @@ mod tests {
         let whole = heights[1].len();
         heights[1].truncate(2 * whole / 3);
         for surfaces in [case.surfaces.clone(), on(&case, heights)] {
-            let track = Track::of(&case.case, &surfaces, 0, &mesh.positions)
+            let track = Track::new(&case.case, &surfaces, 0, &mesh.positions)
                 .unwrap()
                 .unwrap();
             let cycles = 50.0;
@@ -534,9 +534,9 @@ mod tests {
     #[test]
     fn the_same_load_at_the_same_place_flows_once_and_more_load_flows_more() {
         let case = case();
-        let mesh = Mesh::of(&case.case).unwrap();
+        let mesh = Mesh::new(&case.case).unwrap();
         let [_, limit, _] = limits(&case.case).unwrap();
-        let fresh = Track::of(&case.case, &case.surfaces, 0, &mesh.positions)
+        let fresh = Track::new(&case.case, &case.surfaces, 0, &mesh.positions)
             .unwrap()
             .unwrap();
         let mut solver = Solver::new(fresh.points, Boundary::FreeEnds).unwrap();

@@ -102,13 +102,13 @@ mod tests {
             .unwrap()
             .case
             .clone();
-        let mesh = Mesh::of(&case).unwrap();
+        let mesh = Mesh::new(&case).unwrap();
         let smooth = || {
             let spacing = Length::from_si(0.5e-6);
             Texture::Trace(Profile::new(spacing, vec![0.0; 6000]).unwrap())
         };
         let surfaces = Surfaces::new([smooth(), smooth()], None, false);
-        let track = Track::of(&case, &surfaces, 0, &mesh.positions)
+        let track = Track::new(&case, &surfaces, 0, &mesh.positions)
             .unwrap()
             .unwrap();
         let [_, limit, _] = limits(&case).unwrap();

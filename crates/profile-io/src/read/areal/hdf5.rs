@@ -60,7 +60,7 @@ pub(super) fn arrays(bytes: &[u8], format: Format) -> Result<Areal, ReadFault> {
         false => (values, columns),
     };
     let numbers = Lengths::Numbers(Heights::Values { values, columns }, None);
-    let mut found = Areal::of(format, numbers);
+    let mut found = Areal::from_heights(format, numbers);
     let last = name.rsplit('/').next().unwrap_or_default();
     found
         .warnings

@@ -56,7 +56,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     let raw = Raw::new(array.data, array.number, layout);
     let raw = raw.ok_or_else(|| fault("an array has fewer numbers than its size", ""))?;
     let numbers = Lengths::Numbers(Heights::Raw(raw), None);
-    let mut found = Areal::of(FORMAT, numbers);
+    let mut found = Areal::from_heights(FORMAT, numbers);
     found
         .warnings
         .extend(is_depth(&name).then_some(Warning::DepthsTurned));

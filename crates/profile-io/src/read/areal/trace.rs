@@ -73,19 +73,19 @@ pub(crate) struct Areal {
 impl Areal {
     /// Heights scaled to metres by the file, without other facts.
     pub(crate) fn new(format: Format, heights: Heights) -> Self {
-        Self::of(format, Lengths::Metres(heights))
+        Self::from_heights(format, Lengths::Metres(heights))
     }
 
     /// Heights that the file scales by its `unit`, or numbers if it states none.
     pub(super) fn in_own_unit(format: Format, heights: Heights, unit: Option<LengthUnit>) -> Self {
         match unit {
             Some(unit) => Self::new(format, heights.times(unit)),
-            None => Self::of(format, Lengths::Numbers(heights, None)),
+            None => Self::from_heights(format, Lengths::Numbers(heights, None)),
         }
     }
 
     /// Heights without other facts.
-    pub(crate) fn of(format: Format, heights: Lengths<Heights>) -> Self {
+    pub(crate) fn from_heights(format: Format, heights: Lengths<Heights>) -> Self {
         Self {
             format,
             heights,

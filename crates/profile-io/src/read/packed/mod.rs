@@ -43,7 +43,7 @@ pub(super) fn surface(
         format if is_workbook(format, start) => {
             let table = workbook::read(format, stream, start.size, options)?;
             let mut bytes = Cursor::new(table.text);
-            let start = Start::of(&mut bytes)?;
+            let start = Start::read(&mut bytes)?;
             let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
             delimited::surface(&head, &mut text, options)?
         }
@@ -102,7 +102,7 @@ fn trace_of_table(
         options.row = None;
     }
     let mut bytes = Cursor::new(table.text);
-    let start = Start::of(&mut bytes)?;
+    let start = Start::read(&mut bytes)?;
     let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
     let mut trace = delimited::read(&head, &mut text, &options)?;
     if let Some(asked) = options.row.filter(|row| *row != 1)

@@ -53,8 +53,8 @@ pub(super) fn read(stream: &mut dyn Stream) -> Result<Found, ReadFault> {
         return Err(miscounted(FORMAT, heights.len(), stated));
     }
     Ok(Found {
-        spacing: spacing.map(|dx| (Lengths::of(dx, unit), SpacingSource::Header)),
+        spacing: spacing.map(|dx| (Lengths::new(dx, unit), SpacingSource::Header)),
         metadata,
-        ..Found::new(FORMAT, Lengths::of(heights, unit))
+        ..Found::new(FORMAT, Lengths::new(heights, unit))
     })
 }

@@ -126,11 +126,11 @@ pub(super) fn read(
     let found = matrix(stream, size, Wanted::Row(options.row))?;
     let [dx, _] = found.spacings();
     Ok(Found {
-        x: found.points.x.map(|x| Lengths::of(x, LengthUnit::Metre)),
-        spacing: dx.map(|dx| (Lengths::of(dx, LengthUnit::Metre), SpacingSource::Header)),
+        x: found.points.x.map(|x| Lengths::new(x, LengthUnit::Metre)),
+        spacing: dx.map(|dx| (Lengths::new(dx, LengthUnit::Metre), SpacingSource::Header)),
         metadata: found.main.metadata,
         warnings: found.warnings,
-        ..Found::new(FORMAT, Lengths::of(found.points.z, LengthUnit::Metre))
+        ..Found::new(FORMAT, Lengths::new(found.points.z, LengthUnit::Metre))
     })
 }
 
@@ -143,10 +143,10 @@ pub(super) fn surface(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadF
         values: found.points.z,
     };
     Ok(Areal {
-        spacings: spacings.map(|step| step.map(|step| Lengths::of(step, LengthUnit::Metre))),
+        spacings: spacings.map(|step| step.map(|step| Lengths::new(step, LengthUnit::Metre))),
         metadata: found.main.metadata,
         warnings: found.warnings,
-        ..Areal::of(FORMAT, Lengths::of(heights, LengthUnit::Metre))
+        ..Areal::from_heights(FORMAT, Lengths::new(heights, LengthUnit::Metre))
     })
 }
 
