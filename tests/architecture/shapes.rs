@@ -8,7 +8,7 @@ use super::read_only::all_sources;
 /// Maximum number of functions named exactly `of`.
 const MOST_OF: usize = 40;
 /// Maximum number of parameters whose pattern is a tuple.
-const MOST_TUPLES: usize = 180;
+const MOST_TUPLES: usize = 29;
 
 /// Source without comments, each replaced by nothing up to the end of its line.
 fn without_comments(text: &str) -> String {

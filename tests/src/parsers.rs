@@ -249,7 +249,7 @@ pub fn map_json(bytes: &[u8]) -> bool {
     assert!(!found.summary().is_empty());
     let table = "time_s,torque_nm,speed_rpm\n0,100,2000\n1,120,8000\n2,-50,3000\n";
     let cycle = cycle::cycle(table, None).unwrap();
-    let _ = cycle::evaluate(&found.clone().into(), 0, (&cycle, "cycle"), true);
+    let _ = cycle::evaluate(&found.clone().into(), 0, &cycle, "cycle", true);
     let _ = found.write(&place.path().join("drawn"));
     true
 }

@@ -140,7 +140,7 @@ fn report(
         assemblies,
         identifiability,
         stages: fit.stages.clone(),
-        block: block((&source, table.is_simulated), &parameters, &between),
+        block: block(&source, table.is_simulated, &parameters, &between),
         parameters,
         correlations: between,
         nuisance: nuisance(rig, fit),
@@ -155,7 +155,7 @@ fn report(
             largest_surface_error_sigma: in_sigma,
             bootstrap_samples: samples.len(),
         },
-        points: points(rig, &problem, fit, (&residuals, &calibrated)),
+        points: points(rig, &problem, fit, &residuals, &calibrated),
         warnings,
     })
 }
@@ -377,7 +377,8 @@ fn points(
     rig: &Rig,
     problem: &Problem<'_>,
     fit: &Fit,
-    (residuals, calibrated): (&[f64], &[f64]),
+    residuals: &[f64],
+    calibrated: &[f64],
 ) -> Vec<FittedPoint> {
     let rows = rig
         .table

@@ -174,7 +174,7 @@ pub(crate) fn is_simulated(text: &str) -> bool {
     lines.any(|line| line.starts_with('#') && line.contains(SIMULATED))
         || number_table::read("", text).is_ok_and(|table| {
             let marked = |row: Row<'_>| Ok(row.text(SIMULATED_COLUMN).is_some_and(is_true));
-            let rows = number_table::all(("", &table), marked);
+            let rows = number_table::all("", &table, marked);
             rows.is_ok_and(|rows| rows.contains(&true))
         })
 }
@@ -196,7 +196,7 @@ impl RigTable {
     pub fn read(name: &str, text: &str) -> Result<Self, Fault> {
         let table = number_table::read(name, text)?;
         check_columns(name, &table)?;
-        let rows = number_table::all((name, &table), row)?;
+        let rows = number_table::all(name, &table, row)?;
         Ok(Self {
             name: name.to_owned(),
             rows,

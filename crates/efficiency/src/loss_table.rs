@@ -151,7 +151,7 @@ impl Grid {
         }
         let has_torques = torques.is_empty() || rows.iter().all(|row| row.torque_nm.is_some());
         for j in 0..speeds.len() {
-            fill(&mut values, (&torques, speeds.len(), j));
+            fill(&mut values, &torques, speeds.len(), j);
         }
         let is_whole = nodes > 0 && is_single && has_torques;
         let missing = values.iter().position(|value| !value.is_finite());
@@ -180,7 +180,7 @@ impl Grid {
 }
 
 /// Fills nodes without a row at speed `j` of `speeds`, linearly between their neighbours at that speed.
-fn fill(values: &mut [f64], (torques, speeds, j): (&[f64], usize, usize)) {
+fn fill(values: &mut [f64], torques: &[f64], speeds: usize, j: usize) {
     let stated: Vec<(f64, f64)> = torques
         .iter()
         .enumerate()

@@ -131,11 +131,7 @@ fn extrapolated(values: &[f64]) -> Extrapolated {
 
 fn not_converged(cells: usize, effort: Effort) -> EhlError {
     let hint = "start from other numbers of cells, or use the even grid";
-    EhlError::not_converged(
-        cells,
-        (effort.iterations, effort.change, effort.flips),
-        hint,
-    )
+    EhlError::not_converged(cells, effort.iterations, effort.change, effort.flips, hint)
 }
 
 fn solve(

@@ -338,7 +338,9 @@ pub(crate) fn solve_sequence(
             checkpoint()?;
             Err(EhlError::not_converged(
                 cells,
-                (effort.iterations, effort.change, effort.flips),
+                effort.iterations,
+                effort.change,
+                effort.flips,
                 "use more cells, or a law that bends (Roelands) where Barus' exponent alpha p0 exceeds 14",
             ))
         }

@@ -86,7 +86,7 @@ impl PairCompliance {
             ToothCompliance::new(pinion, &materials[0]),
             ToothCompliance::new(wheel, &materials[1]),
         ];
-        let range = (0.0, pair.path.eps_alpha);
+        let range = [0.0, pair.path.eps_alpha];
         let bending = Chebyshev::fit(range, TABLE_POINTS, |xi| {
             let [rho1, rho2] = rolls(pair, xi);
             let q = teeth[0].total(rho1) + teeth[1].total(rho2);
@@ -131,7 +131,7 @@ impl PairCompliance {
         let middle = 0.5 * pair.path.eps_alpha;
         let depth = depths(pair, [&flanks[0], &flanks[1]], middle);
         let hertz = HertzCompliance::new(materials)?.at(depth, radius(pair, middle), load);
-        let range = (0.0, pair.path.eps_alpha);
+        let range = [0.0, pair.path.eps_alpha];
         let bending = Chebyshev::fit(range, TABLE_POINTS, |xi| {
             positive((1.0 / pair.iso_stiffness_at(single, xi) - hertz) / stiffness_factor)
         })?;
@@ -145,7 +145,7 @@ impl PairCompliance {
     /// Constant compliance, for limits with a closed form.
     #[cfg(test)]
     pub(crate) fn constant(bending: f64, flattening: f64) -> Self {
-        let fit = Chebyshev::fit((0.0, 1.0), 1, |_| Ok::<_, ()>(bending));
+        let fit = Chebyshev::fit([0.0, 1.0], 1, |_| Ok::<_, ()>(bending));
         Self {
             source: StiffnessSource::Iso,
             bending: SmoothTable::new(&fit.unwrap()),

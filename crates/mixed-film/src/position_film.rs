@@ -495,7 +495,7 @@ impl PositionFilm<'_> {
         };
         let mut outside = self.outside.clone();
         COMPARED.check(self.roughness_over_film(window), &mut outside);
-        let value = self.solution(touching, (window, psi), &friction)?;
+        let value = self.solution(touching, window, psi, &friction)?;
         Ok(Checked { value, outside })
     }
 
@@ -507,7 +507,8 @@ impl PositionFilm<'_> {
     fn solution(
         &self,
         touching: &Touching<'_>,
-        (window, psi): (&WindowRoughness, f64),
+        window: &WindowRoughness,
+        psi: f64,
         friction: &Friction,
     ) -> Result<LoadShareSolution, LoadShareError> {
         let Friction {
@@ -669,9 +670,9 @@ impl PositionFilm<'_> {
         }
         // Slope of μ − G(T_s(μ)): of the window before, or of the film's part.
         let begun = begun.unwrap_or([0.0, 1.0 - unit_rise * (1.0 - phi) * slope]);
-        let (evidence, last) = self.heated(phi, (first, begun), &mut spots)?;
+        let (evidence, last) = self.heated(phi, first, begun, &mut spots)?;
         let mu = evidence.value;
-        let (at, steepness) = self.along(phi, last, (unit_rise * mu, begun[1]))?;
+        let (at, steepness) = self.along(phi, last, unit_rise * mu, begun[1])?;
         self.before = Some([mu, steepness]);
         let residual = mu - self.total(phi, &at)?;
         let evidence = Solved {
@@ -685,7 +686,8 @@ impl PositionFilm<'_> {
     fn heated(
         &mut self,
         phi: f64,
-        (first, begun): (AtRise, [f64; 2]),
+        first: AtRise,
+        begun: [f64; 2],
         spots: &mut SpotList,
     ) -> Result<(Solved, [AtRise; 2]), LoadShareError> {
         let unit_rise = self.film.surface_rise(1.0);
@@ -727,7 +729,8 @@ impl PositionFilm<'_> {
         &self,
         phi: f64,
         [before, after]: [AtRise; 2],
-        (rise, steepness): (f64, f64),
+        rise: f64,
+        steepness: f64,
     ) -> Result<(AtRise, f64), LoadShareError> {
         if after.rise == before.rise {
             return Ok((after, steepness));

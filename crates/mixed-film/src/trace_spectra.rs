@@ -55,7 +55,7 @@ impl TraceSpectra {
         let piece = Piece::around(points);
         let longest = traces.map(Profile::len).into_iter().fold(0, usize::max);
         if longest > PIECES * piece.points {
-            return self.of_pieces(traces, (starts, points), piece, flattening);
+            return self.of_pieces(traces, starts, points, piece, flattening);
         }
         if let Some(attenuated) = whole {
             return attenuated.mirrored(starts, points);
@@ -79,7 +79,8 @@ impl TraceSpectra {
     fn of_pieces(
         &self,
         traces: [&Profile; 2],
-        (starts, points): ([isize; 2], usize),
+        starts: [isize; 2],
+        points: usize,
         piece: Piece,
         flattening: &Flattening,
     ) -> Result<WindowRoughness, LoadShareError> {

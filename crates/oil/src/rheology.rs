@@ -496,7 +496,7 @@ impl FilmRheology {
         sliding: Speed,
         film: Length,
     ) -> Result<Solved, LubricantError> {
-        self.shear_stress_from((pressure, sliding, film), wall_temperature, None)
+        self.shear_stress_from(pressure, sliding, film, wall_temperature, None)
     }
 
     /// [`shear_stress`](Self::shear_stress) at a pressure, a sliding speed and a film thickness, with a guess of it as in
@@ -506,7 +506,9 @@ impl FilmRheology {
     /// As [`shear_stress`](Self::shear_stress).
     pub fn shear_stress_from(
         &self,
-        (pressure, sliding, film): (Pressure, Speed, Length),
+        pressure: Pressure,
+        sliding: Speed,
+        film: Length,
         wall_temperature: Temperature,
         start: Option<f64>,
     ) -> Result<Solved, LubricantError> {

@@ -172,7 +172,7 @@ pub fn prepare_surface(
         }
         if recipe.ends == Ends::Cut {
             dropped = (0.5 * lambda_c.si() / dx.si()).round() as usize;
-            grid = grid.cut(dropped, (lambda_c / dx).floor() as usize, (dx, lambda_c))?;
+            grid = grid.cut(dropped, (lambda_c / dx).floor() as usize, dx, lambda_c)?;
         }
     }
     Ok(PreparedSurface {
@@ -251,7 +251,8 @@ impl Lines {
         &self,
         dropped: usize,
         least: usize,
-        (spacing, lambda_c): (Length, Length),
+        spacing: Length,
+        lambda_c: Length,
     ) -> Result<Self, RoughnessError> {
         let length = self.length.saturating_sub(2 * dropped);
         if length < least.max(1) {

@@ -682,7 +682,7 @@ fn a_cycle_in_reverse_has_the_energies_of_the_same_cycle_forwards() {
         let points = [[0.0, 0.0], [120.0, 3000.0], [20.0, 2000.0], [-60.0, 2500.0]];
         let rows: String = points.into_iter().enumerate().map(row).collect();
         let trace = cycle(&format!("time_s,torque_nm,speed_rpm\n{rows}"), None).unwrap();
-        evaluate(&map.clone().into(), 0, (&trace, "made up"), false).unwrap()
+        evaluate(&map.clone().into(), 0, &trace, "made up", false).unwrap()
     };
     let (forwards, reverse) = (of(1.0), of(-1.0));
     assert!(forwards.drive_wh > 0.0 && forwards.coast_wh > 0.0);

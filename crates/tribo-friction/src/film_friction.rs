@@ -402,7 +402,7 @@ impl<'a> LoadedFilm<'a> {
             let before = near_stresses(nodes);
             for (node, group) in nodes
                 .iter_mut()
-                .zip(groups(mean, share * share, (parts, &logs)))
+                .zip(groups(mean, share * share, parts, &logs))
             {
                 let film = (group.log_film / group.load).exp();
                 let at = [group.square / group.load, self.sliding, film];
@@ -572,7 +572,7 @@ struct Group {
 
 /// Groups of equal load of the parts of a film, with ln of their thickness, at a place with a mean pressure, whose ripple is `scale`
 /// times their p′.
-fn groups(mean: f64, scale: f64, (parts, logs): (&[FilmRipple], &[f64])) -> [Group; GROUPS] {
+fn groups(mean: f64, scale: f64, parts: &[FilmRipple], logs: &[f64]) -> [Group; GROUPS] {
     let rippled = |part: &FilmRipple| mean + scale * part.pressure;
     let total: f64 = parts.iter().map(|part| part.area).sum();
     // From the highest pressure on, as many parts as are above zero with the pressure c that leaves them the whole load.

@@ -96,7 +96,7 @@ pub(crate) fn of_case(
     covered(loaded, at(), &mut found);
     let edge_contact = mesh.load.edge_contact_note()?;
     let evidence = mesh.load.evidence();
-    load(loaded, at(), (edge_contact.as_ref(), evidence), &mut found);
+    load(loaded, at(), edge_contact.as_ref(), evidence, &mut found);
     Ok(found)
 }
 
@@ -346,7 +346,8 @@ fn code(note: &OutOfRange) -> Code {
 pub(crate) fn load<'a>(
     loaded: &OperatingCase,
     positions: impl ExactSizeIterator<Item = &'a MeshPosition>,
-    (edge_contact, evidence): (Option<&EdgeContactNote>, &LoadMapEvidence),
+    edge_contact: Option<&EdgeContactNote>,
+    evidence: &LoadMapEvidence,
     found: &mut Vec<Warning>,
 ) {
     let mut add = |code, text: String| found.push(Warning::new(code, text));

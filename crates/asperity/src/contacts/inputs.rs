@@ -114,9 +114,11 @@ impl WindowInputs {
     /// When the contact refuses the numbers.
     pub(crate) fn rough_contact(
         &self,
-        (load, radius): (LineLoad, Length),
+        load: LineLoad,
+        radius: Length,
         composite: &[f64],
-        (rows, spacings): (usize, [Length; 2]),
+        rows: usize,
+        spacings: [Length; 2],
     ) -> Result<RoughContact, PositionError> {
         let [pinion, wheel] = self.flow_pressure.map(Pressure::si);
         let of_line = self.tolerance.min(LOOSEST_TOLERANCE);

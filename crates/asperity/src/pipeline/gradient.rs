@@ -89,9 +89,12 @@ impl LossGradient {
             let Some(record) = &flank.preparation else {
                 return Ok(None);
             };
-            let grid = (record.points_after, record.spacing);
-            let over_prepared =
-                respaced_gradient(&self.by_height[body], grid, prepared[body].spacing());
+            let over_prepared = respaced_gradient(
+                &self.by_height[body],
+                record.points_after,
+                record.spacing,
+                prepared[body].spacing(),
+            );
             let mut measured = record.gradient(&over_prepared)?;
             if flank.mirrored {
                 measured.iter_mut().for_each(|heights| heights.reverse());

@@ -130,7 +130,7 @@ pub(crate) fn losses_at(contacts: &Contacts, case: &OperatingCase) -> Result<Los
         true => Cow::Borrowed(case),
         false => Cow::Owned(case.overridden(|over| over.offsets = Some(contacts.offsets()))?),
     };
-    losses_of_stages((&case, contacts), &|_, _| {}, used)
+    losses_of_stages(&case, contacts, &|_, _| {}, used)
 }
 
 /// The case at its bulk temperature, stated or in equilibrium with its loss.
@@ -167,11 +167,12 @@ pub(crate) fn losses_of(loaded: &LoadedCase, options: &Options<'_>) -> Result<Lo
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(loaded, &options.known))?;
     let warmed = warmed(&sampled, &contacts, options.seeks_hotter)?;
-    losses_of_stages((&warmed, &contacts), options.progress, used)
+    losses_of_stages(&warmed, &contacts, options.progress, used)
 }
 
 fn losses_of_stages(
-    (case, contacts): (&OperatingCase, &Contacts),
+    case: &OperatingCase,
+    contacts: &Contacts,
     progress: Progress<'_>,
     used: Provenance,
 ) -> Result<Losses, Error> {

@@ -77,7 +77,7 @@ pub struct EvidenceRow {
 impl EvidenceRow {
     /// The row of a measurement that takes `hours` and leaves `left` of the present interval `now`.
     #[must_use]
-    pub fn new((key, words, hours): (&str, String, f64), now: Quantiles, left: Quantiles) -> Self {
+    pub fn new(key: &str, words: String, hours: f64, now: Quantiles, left: Quantiles) -> Self {
         let moved = now.drawn.value / left.drawn.value;
         let [low_w, high_w] = left.drawn.ends().map(|end| moved * end);
         Self {

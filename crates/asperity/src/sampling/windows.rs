@@ -177,7 +177,9 @@ pub fn window_sampling(
     let scatter = Scatter::from_positions(positions.iter().copied());
     let numerical = (scatter.squares / offsets as f64).sqrt();
     sampling(
-        (offsets, COMMON * scatter.sum, numerical),
+        offsets,
+        COMMON * scatter.sum,
+        numerical,
         independent,
         asperity_share,
     )
@@ -186,18 +188,21 @@ pub fn window_sampling(
 /// Sampling error of a mean over `passed` independent windows that has the standard error `numerical_error` for traces that never
 /// end, on traces with `windows` windows.
 pub(crate) fn travel_sampling(
-    (passed, numerical_error): (usize, f64),
+    passed: usize,
+    numerical_error: f64,
     windows: f64,
     asperity_share: f64,
 ) -> WindowSampling {
     let own = numerical_error * (passed as f64).sqrt();
     let independent = Independent::of_traces(windows);
-    sampling((passed, own, numerical_error), independent, asperity_share)
+    sampling(passed, own, numerical_error, independent, asperity_share)
 }
 
 /// The sampling error where windows scatter by `own`, of which the prior is a part.
 fn sampling(
-    (offsets, own, numerical_error): (usize, f64, f64),
+    offsets: usize,
+    own: f64,
+    numerical_error: f64,
     independent: Independent,
     asperity_share: f64,
 ) -> WindowSampling {

@@ -111,7 +111,8 @@ impl ChangeDraws {
     #[must_use]
     pub fn quantiles(
         &self,
-        (loaded, base): (&LoadedCase, &Losses),
+        loaded: &LoadedCase,
+        base: &Losses,
         by_window: &[f64],
         by_lay: [f64; 2],
     ) -> [f64; 2] {

@@ -212,7 +212,8 @@ pub fn change_between(first: DrawnCase<'_>, changed: DrawnCase<'_>) -> Estimate 
 /// As [`Run::losses`](crate::Run::losses).
 pub fn change_of(
     first: DrawnCase<'_>,
-    (changed, losses): (&LoadedCase, &Losses),
+    changed: &LoadedCase,
+    losses: &Losses,
 ) -> Result<Estimate, Error> {
     let drawn = at_losses(&changed.at_stated()?, losses, first.1)?;
     Ok(change_between(first, (changed, &drawn)))

@@ -381,8 +381,9 @@ impl<'a> Fits<'a> {
         let (base, middle) = (&self.base, &self.middle);
         if draws_inner_boundary(loaded) {
             let ratio = |losses: &Losses| self.ratio(losses);
-            let run = (&ratio as &dyn Fn(&Losses) -> f64, middle.summary.boundary_w);
-            predictive.inner_boundary = Some(inner_boundary(base, run, surface)?);
+            let boundary_w = middle.summary.boundary_w;
+            let found = inner_boundary(base, &ratio, boundary_w, surface)?;
+            predictive.inner_boundary = Some(found);
         }
         let is_held = |note: &OutsideInput| note.correlation == GUPTA_HELD;
         if middle.outside.iter().any(is_held) {
@@ -528,7 +529,8 @@ impl Base<'_> {
 /// middle of β_i the logarithm is `surface`, whose error enters the slopes of the bend only.
 fn inner_boundary(
     base: &Base<'_>,
-    (ratio, boundary_w): (&dyn Fn(&Losses) -> f64, f64),
+    ratio: &dyn Fn(&Losses) -> f64,
+    boundary_w: f64,
     surface: &QuadraticSurface,
 ) -> Result<InnerBoundary, Error> {
     /// Standard deviations to the side: at the 5 and 95 % quantiles.
@@ -742,15 +744,14 @@ pub(super) fn travelled(
         loaded.case.model.window,
         widest(nominal.path),
     )?;
-    let travel = match friction.standard_error.is_finite() {
-        true => (
-            friction.windows.round().max(1.0) as usize,
-            friction.standard_error,
-        ),
+    let (passed, error) = if friction.standard_error.is_finite() {
+        let passed = friction.windows.round().max(1.0) as usize;
+        (passed, friction.standard_error)
+    } else {
         // A travel of one block says nothing of its scatter.
-        false => (1, 0.0),
+        (1, 0.0)
     };
-    Some(travel_sampling(travel, of_traces, asperity_share))
+    Some(travel_sampling(passed, error, of_traces, asperity_share))
 }
 
 /// The error of flanks that are known by roughness values: the scatter of the pairs of surrogates, and their form.

@@ -114,7 +114,7 @@ pub(crate) fn run_and_draw(loaded: &LoadedCase, options: &Options<'_>) -> Result
     };
     let (mut outcome, loaded, contacts) = outcome(loaded, options, &shown)?;
     if !options.interval || !has_band(&loaded) {
-        scans::compare_with_rows(&mut outcome, None, (&loaded, &contacts), (kept, &by_rows))?;
+        scans::compare_with_rows(&mut outcome, None, &loaded, &contacts, kept, &by_rows)?;
         return Ok(MeshRun {
             outcome,
             drawn: None,
@@ -155,7 +155,7 @@ pub(crate) fn run_and_draw(loaded: &LoadedCase, options: &Options<'_>) -> Result
     outcome.result.uncertainty = Some(uncertainty);
     note(&mut outcome.result, &used.tags());
     let drawn = Some(&predictive);
-    scans::compare_with_rows(&mut outcome, drawn, (&loaded, &contacts), (kept, &by_rows))?;
+    scans::compare_with_rows(&mut outcome, drawn, &loaded, &contacts, kept, &by_rows)?;
     Ok(MeshRun {
         outcome,
         drawn: Some(predictive),

@@ -333,7 +333,7 @@ impl Planner<'_> {
         let row = |k: usize| slopes.rows(k, 1).into_owned();
         let rows: Vec<DMatrix<f64>> = (0..candidates.len()).map(row).collect();
         let of_priors = slopes.rows(candidates.len(), slopes.ncols()).into_owned();
-        let mut chosen = d_optimal(&rows, (CHOSEN, 1), interest, &information(&of_priors));
+        let mut chosen = d_optimal(&rows, CHOSEN, 1, interest, &information(&of_priors));
         chosen.sort_unstable();
         Ok(chosen.into_iter().map(|k| candidates[k].clone()).collect())
     }

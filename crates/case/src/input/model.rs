@@ -201,7 +201,8 @@ pub(crate) struct OfFormulation {
 
 /// Makes every choice that the case leaves open.
 pub(crate) fn model(
-    (stated, of_paper): (&ModelInput, &PaperInput),
+    stated: &ModelInput,
+    of_paper: &PaperInput,
     formulation: &OfFormulation,
     gears: &GearPair,
     source: &Source,

@@ -57,9 +57,9 @@ impl Context<'_> {
             ..read_options(input)
         };
         let outliers = self.inputs.surface.outliers;
-        let named = (file, &keys.file);
+        let (files, source) = (self.files, self.source);
         self.scans
-            .read(named, options, outliers, (self.files, self.source))
+            .read(file, keys.file.clone(), options, outliers, files, source)
     }
 }
 
@@ -125,7 +125,7 @@ pub(crate) fn traces_of(
         let rule = "is given instead of file and of rq, ra and rz; give one of them";
         return Err(section.conflict("traces", rule));
     }
-    flank_sample::listed(input, ("traces", list), section, context.files)
+    flank_sample::listed(input, "traces", list, section, context.files)
 }
 
 /// Reads and prepares a trace, or takes the roughness values of a flank without one.
@@ -140,7 +140,7 @@ pub(crate) fn flank(
     let value = input.rq.or(input.ra).or(input.rz);
     if let Some(generated) = &listed.generated {
         let name = generated.record.to_string();
-        return trace(listed, (&name, &name), keys, context, warnings);
+        return trace(listed, &name, &name, keys, context, warnings);
     }
     match (&input.file, value) {
         (Some(_), Some(_)) if input.rq.is_some() => {
@@ -169,7 +169,7 @@ pub(crate) fn flank(
                 Some(last) => last.to_string_lossy().into_owned(),
                 None => name.clone(),
             };
-            trace(listed, (&name, &short), &keys, context, warnings)
+            trace(listed, &name, &short, &keys, context, warnings)
         }
     }
 }
@@ -228,7 +228,8 @@ fn values(input: &FlankInput, section: Section<'_>) -> Result<Known, CaseError> 
 
 fn trace(
     listed: &Listed,
-    (name, short): (&str, &str),
+    name: &str,
+    short: &str,
     keys: &Keys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
@@ -252,8 +253,8 @@ fn trace(
             }
         },
     };
-    let prepared = prepared_trace(source.content(), of_trace, (&inputs.gears, gear));
-    let prepared = prepared.map_err(|error| placed(error, (name, short), keys, context))?;
+    let prepared = prepared_trace(source.content(), of_trace, &inputs.gears, gear);
+    let prepared = prepared.map_err(|error| placed(error, name, short, keys, context))?;
     let PreparedTrace {
         mut flank,
         filters,
@@ -441,7 +442,8 @@ fn parted(filters: &Filters, gear: Gear) -> Option<Warning> {
 /// An error of the trace `name` at the key that is to blame.
 pub(crate) fn placed(
     error: TraceError,
-    (name, short): (&str, &str),
+    name: &str,
+    short: &str,
     keys: &Keys,
     context: Context<'_>,
 ) -> CaseError {

@@ -90,7 +90,7 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         is_patch,
     } = taken(&mut named, context, known_of, &mut warnings)?;
     let of_teeth = named.lists.iter().zip(&named.keys).take(named.stated());
-    warnings.extend(of_teeth.filter_map(of_one_tooth));
+    warnings.extend(of_teeth.filter_map(|(list, keys)| of_one_tooth(list, keys)));
     let is_several = named.lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
@@ -124,7 +124,9 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
             context,
             &named.lists,
             &mut flanks,
-            (&named.keys, is_scan, &lays),
+            &named.keys,
+            is_scan,
+            &lays,
             &mut warnings,
         )?),
         false => None,
@@ -170,7 +172,7 @@ fn keep_first(warnings: &mut Vec<Warning>) {
 }
 
 /// W447: traces of a list that are lines of one surface, which is of one tooth.
-fn of_one_tooth((list, keys): (&Vec<Listed>, &Keys)) -> Option<Warning> {
+fn of_one_tooth(list: &[Listed], keys: &Keys) -> Option<Warning> {
     let file = |trace: &Listed| trace.input.file.clone();
     let mut others = list.iter().enumerate().skip(1);
     let shared = others
@@ -220,7 +222,7 @@ fn met(
         like: named.like(),
     };
     let is_several = flanks.iter().any(|flanks| flanks.len() > 1);
-    let pairs = is_several.then(|| meeting.pairs(sites, named.teeth, (&zones, width)));
+    let pairs = is_several.then(|| meeting.pairs(sites, named.teeth, &zones, width));
     let surfaces = pairs.and_then(Surfaces::of_pairs);
     Ok((surfaces.unwrap_or_else(|| meeting.surfaces([0, 0])), zones))
 }

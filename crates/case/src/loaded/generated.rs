@@ -53,7 +53,7 @@ pub(crate) fn generated(
         let rule = "is given instead of file, traces, rows, rq, ra and rz; give one of them";
         return Err(section.conflict("like", rule));
     }
-    let before = measured_traces(input, ("like", list), keys, context)?;
+    let before = measured_traces(input, "like", list, keys, context)?;
     let wanted = wanted(input, before.len(), keys, context)?;
     let refused =
         |fault: &Fault| CaseError::not_generated(section.place("like"), section.key("like"), fault);
@@ -155,7 +155,7 @@ fn wanted(
             _ => Ok(None),
         };
     };
-    let mut after = measured_traces(input, ("after", list), keys, context)?;
+    let mut after = measured_traces(input, "after", list, keys, context)?;
     let stated = |trace: &Measured| trace.trace.engagements;
     after.sort_by(|a, b| stated(a).partial_cmp(&stated(b)).unwrap_or(Ordering::Equal));
     let by_stage: Vec<&[Measured]> = after.chunk_by(|a, b| stated(a) == stated(b)).collect();
@@ -188,12 +188,13 @@ fn wanted(
 /// The traces that the list at a key names.
 fn measured_traces(
     input: &FlankInput,
-    (key, list): (&str, &TraceList),
+    key: &str,
+    list: &TraceList,
     keys: &Keys,
     context: Context<'_>,
 ) -> Result<Vec<Measured>, CaseError> {
     let section = Section::new(context.source, keys.table);
-    let traces = listed(input, (key, list), section, context.files)?;
+    let traces = listed(input, key, list, section, context.files)?;
     let is_placed = |trace: &Listed| trace.input.at.is_some() || trace.input.from.is_some();
     let is_sited = |trace: &Listed| trace.site.number.is_some() || trace.site.y.is_some();
     let mut all = traces.iter();
@@ -239,9 +240,9 @@ fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, 
         needed_of_scan: None,
         shortest_form: None,
     };
-    let gears = (&context.inputs.gears, gear_of(keys.table));
-    let (profile, statements) = measured(content, inputs, gears)
-        .map_err(|error| placed(error, (&name, &name), keys, context))?;
+    let gears = &context.inputs.gears;
+    let (profile, statements) = measured(content, inputs, gears, gear_of(keys.table))
+        .map_err(|error| placed(error, &name, &name, keys, context))?;
     Ok(Measured {
         profile,
         trace: MeasuredTrace {

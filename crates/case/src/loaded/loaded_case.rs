@@ -693,7 +693,7 @@ fn gearbox_of_one_mesh(
     };
     let reader = Reader::new(files);
     let places = vec![MeshPlace::default()];
-    let parts = stated.gearbox(places, &Shafting::shafts_of_one_mesh(), (source, &reader))?;
+    let parts = stated.gearbox(places, &Shafting::shafts_of_one_mesh(), source, &reader)?;
     Ok((Some(parts), reader.into_sums().into()))
 }
 

@@ -55,7 +55,7 @@ pub(crate) fn taken(
     let mut is_anew = [false; 2];
     for (body, known) in known.iter().enumerate() {
         if is_scan[body] && !is_patch {
-            let rows = scan_of_lines((body, named), known, context, warnings)?;
+            let rows = scan_of_lines(body, named, known, context, warnings)?;
             if rows > 1 {
                 named.take_rows(body, rows, context.source)?;
                 is_anew[body] = true;
@@ -200,7 +200,8 @@ fn takes_patch(
 
 /// Number of the rows of the scan of a flank, known by its middle row, that are computed as traces.
 fn scan_of_lines(
-    (body, named): (usize, &NamedTraces),
+    body: usize,
+    named: &NamedTraces,
     known: &[Known],
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
@@ -208,7 +209,7 @@ fn scan_of_lines(
     let ([listed], [(flank, _)]) = (named.lists[body].as_slice(), known) else {
         return Ok(1);
     };
-    let whole = whole(body, (listed, flank), &named.keys[body], context)?;
+    let whole = whole(body, listed, flank, &named.keys[body], context)?;
     warnings.extend(stepped(&whole, &flank.report));
     Ok(rows_needed(&whole))
 }

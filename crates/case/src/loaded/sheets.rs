@@ -31,7 +31,9 @@ pub(crate) fn sheets_of(
     context: Context<'_>,
     lists: &[Vec<Listed>; 2],
     flanks: &mut [Vec<Flank>; 2],
-    (keys, is_scan, lays): (&[Keys; 2], [bool; 2], &Lays),
+    keys: &[Keys; 2],
+    is_scan: [bool; 2],
+    lays: &Lays,
     warnings: &mut Vec<Warning>,
 ) -> Result<Arc<Sheets>, CaseError> {
     let section = Section::new(context.source, "surface");
@@ -65,12 +67,12 @@ pub(crate) fn sheets_of(
                 ],
                 (None, None) => ["assumed", ". State model.lay, or scan this flank as well"],
             };
-            warnings.push(made_from_trace(body, (&flank.report, made), of));
+            warnings.push(made_from_trace(body, &flank.report, made, of));
             flank.report.made_sheet = Some(made);
             return Ok(SheetSource::Trace(row.clone(), lay));
         }
         scans += 1;
-        let whole = whole(body, (listed, flank), &keys[body], context)?;
+        let whole = whole(body, listed, flank, &keys[body], context)?;
         warnings.extend(stepped(&whole, &flank.report));
         Ok(SheetSource::Scan(whole))
     };
@@ -97,7 +99,8 @@ pub(crate) fn sheets_of(
 /// W458: the surface of a flank that was made from its trace.
 fn made_from_trace(
     body: usize,
-    (report, made): (&FlankReport, MadeSheet),
+    report: &FlankReport,
+    made: MadeSheet,
     [origin, next]: [&str; 2],
 ) -> Warning {
     let file = report.file.as_deref().unwrap_or("the trace");
@@ -168,7 +171,8 @@ pub(crate) fn bridged(report: &FlankReport, share: f64) -> Option<Warning> {
 /// pinion: seen from the side of the pinion its points are reversed. Of a flank that is read from its other end the order changes once more.
 pub(crate) fn whole(
     body: usize,
-    (listed, flank): (&Listed, &Flank),
+    listed: &Listed,
+    flank: &Flank,
     keys: &Keys,
     context: Context<'_>,
 ) -> Result<PreparedSurface, CaseError> {

@@ -49,7 +49,12 @@ pub(crate) fn surrogates_of(
             Some(pinion) if values_of(inputs[0].0) == values_of(inputs[1].0) => {
                 Some(pinion.clone())
             }
-            _ => Some(known_of(context, inputs[body], &mut assumed)?),
+            _ => Some(known_of(
+                context,
+                inputs[body].0,
+                inputs[body].1,
+                &mut assumed,
+            )?),
         };
     }
     let known_flanks = || known.iter().flatten();
@@ -92,7 +97,8 @@ fn trace_length(inputs: &FlankInputs) -> Length {
 /// Stated values, finish and cut-off of a flank.
 fn known_of(
     context: Context<'_>,
-    (input, keys): (&FlankInput, &Keys),
+    input: &FlankInput,
+    keys: &Keys,
     assumed: &mut Vec<DefaultUsed>,
 ) -> Result<KnownFlank, CaseError> {
     let section = Section::new(context.source, keys.table);

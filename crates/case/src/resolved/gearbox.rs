@@ -138,10 +138,11 @@ impl GearboxInput {
         &self,
         places: Vec<MeshPlace>,
         train: &GearTrain,
-        (source, files): (&Source, &Reader<'_>),
+        source: &Source,
+        files: &Reader<'_>,
     ) -> Result<Gearbox, CaseError> {
         let section = Section::new(source, "gearbox");
-        let shaft_of = |key, name: &str| shaft_of((train, &places), section, key, name);
+        let shaft_of = |key, name: &str| shaft_of(train, &places, section, key, name);
         let (mut parts, mut warnings) = (Vec::new(), Vec::new());
         for (number, seal) in self.seals.iter().enumerate() {
             let name = named(seal.name.as_deref(), "seal", number);
@@ -154,7 +155,7 @@ impl GearboxInput {
         }
         for (number, bearing) in self.bearings.iter().enumerate() {
             let name = named(bearing.name.as_deref(), "bearing", number);
-            let (shaft, kind) = self.bearing((number, &name), train, (&places, section))?;
+            let (shaft, kind) = self.bearing(number, &name, train, &places, section)?;
             parts.push(Part { name, shaft, kind });
         }
         let jet = self
@@ -178,7 +179,7 @@ impl GearboxInput {
             });
         }
         if let Some(file) = &self.loss_table {
-            let (name, table, warning) = table(file, (section, "loss_table"), files)?;
+            let (name, table, warning) = table(file, section, "loss_table", files)?;
             warnings.extend(warning);
             // The input shaft is the first.
             let (shaft, against) = (0, None);
@@ -186,7 +187,7 @@ impl GearboxInput {
             parts.push(Part { name, shaft, kind });
         }
         for stated in &self.tables {
-            let (file, table, warning) = table(&stated.file, (section, "tables"), files)?;
+            let (file, table, warning) = table(&stated.file, section, "tables", files)?;
             warnings.extend(warning);
             let shaft = shaft_of("tables", &stated.shaft)?;
             let against = stated.against.as_ref();
@@ -222,9 +223,11 @@ impl GearboxInput {
     /// The shaft of bearing `number`, called `name`, and its numbers.
     fn bearing(
         &self,
-        (number, name): (usize, &str),
+        number: usize,
+        name: &str,
         train: &GearTrain,
-        (places, section): (&[MeshPlace], Section<'_>),
+        places: &[MeshPlace],
+        section: Section<'_>,
     ) -> Result<(usize, PartKind), CaseError> {
         let stated = &self.bearings[number];
         let on = stated.shaft.as_str();
@@ -242,10 +245,10 @@ impl GearboxInput {
             }
         };
         let bearing = rolling_bearing(stated).map_err(&refused)?;
-        let shaft = shaft_of((train, places), section, "bearings", on)?;
+        let shaft = shaft_of(train, places, section, "bearings", on)?;
         let load = match load {
             Some(load) => load,
-            None => self.of_teeth(number, (shaft, train), (places, section), refused)?,
+            None => self.of_teeth(number, shaft, train, places, section, refused)?,
         };
         Ok((shaft, PartKind::Bearing { bearing, load }))
     }
@@ -254,8 +257,10 @@ impl GearboxInput {
     fn of_teeth(
         &self,
         number: usize,
-        (shaft, train): (usize, &GearTrain),
-        (places, section): (&[MeshPlace], Section<'_>),
+        shaft: usize,
+        train: &GearTrain,
+        places: &[MeshPlace],
+        section: Section<'_>,
         refused: impl Fn(EfficiencyError) -> CaseError,
     ) -> Result<BearingLoads, CaseError> {
         let bearing = &self.bearings[number];
@@ -303,7 +308,8 @@ fn is_only(places: &[MeshPlace]) -> bool {
 
 /// The shaft called `name`, which the key names.
 fn shaft_of(
-    (train, places): (&GearTrain, &[MeshPlace]),
+    train: &GearTrain,
+    places: &[MeshPlace],
     section: Section<'_>,
     key: &'static str,
     name: &str,
@@ -513,7 +519,8 @@ fn rolling_bearing(stated: &BearingInput) -> Result<RollingBearing, EfficiencyEr
 /// Name and content of the table `file`, which is stated at `key`, and a doubt about it.
 fn table(
     file: &Path,
-    (section, key): (Section<'_>, &str),
+    section: Section<'_>,
+    key: &str,
     files: &Reader<'_>,
 ) -> Result<(String, Arc<LossTable>, Option<Warning>), CaseError> {
     let name = file

@@ -148,7 +148,7 @@ pub(crate) fn resolve_with(
         reduced_modulus(&materials[0], &materials[1]).map_err(domain(source, "material.pinion"))?;
     let (torque, speed) = (input.operation.torque, input.operation.speed);
     let temperature = operating_temperature(&input.operation, source)?;
-    check_operation((torque, speed), (&gears, modulus), source)?;
+    check_operation(torque, speed, &gears, modulus, source)?;
     let running_in = running_in(&input.operation, (&gears, modulus), flow_pressure, source)?;
     let lubricant_at = |error| lubricant_at(source, &input.operation, error);
     let lubricant = completed_oil(&input.lubricant, oil_file.as_deref());
@@ -167,8 +167,8 @@ pub(crate) fn resolve_with(
         positions: formulation.positions(),
         xu_roughness: formulation.xu_roughness(),
     };
-    let inputs = (&choices, &input.paper);
-    let (model, paper) = model(inputs, &stated, &gears, source, &mut defaults)?;
+    let of_paper = &input.paper;
+    let (model, paper) = model(&choices, of_paper, &stated, &gears, source, &mut defaults)?;
     let bulk = bulk_model(input.operation.bulk.as_ref(), &model, source)?;
     let load_settings = load_settings(&input, &model, source, &mut defaults);
     let mesh = LoadConditions {
@@ -253,8 +253,10 @@ pub(crate) struct OfFlanks<'a> {
 
 /// Refuses a load or a speed that no pair of gears has.
 fn check_operation(
-    (torque, speed): (Torque, AngularSpeed),
-    (gears, modulus): (&GearPair, Pressure),
+    torque: Torque,
+    speed: AngularSpeed,
+    gears: &GearPair,
+    modulus: Pressure,
     source: &Source,
 ) -> Result<(), CaseError> {
     let section = Section::new(source, "operation");

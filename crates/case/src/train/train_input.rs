@@ -106,7 +106,7 @@ impl CaseInput {
         let places = stages.iter().map(|stage| self.place_of(stage));
         let places: Vec<MeshPlace> = places.collect();
         let gearbox = self.gearbox.as_ref();
-        let gearbox = gearbox.map(|stated| stated.gearbox(places, &shafts, (source, &files)));
+        let gearbox = gearbox.map(|stated| stated.gearbox(places, &shafts, source, &files));
         let gearbox = gearbox.transpose()?;
         let [meshes, set] = Self::NAMED;
         let table = if self.planetary.is_some() {

@@ -59,7 +59,7 @@ impl Grid {
     ///
     /// One pass over the row for the faces of each side: each is a loop over equal shifts, which is compiled to vectors.
     #[inline(always)]
-    fn inflow(&self, (j, is_net): (usize, bool), sources: &[f64], p: &[f64], sums: &mut [f64]) {
+    fn inflow(&self, j: usize, is_net: bool, sources: &[f64], p: &[f64], sums: &mut [f64]) {
         let [n, rows] = self.size;
         let row_of = |j: usize| j * n..(j + 1) * n;
         let [here, before, next] = [j, (j + rows - 1) % rows, (j + 1) % rows].map(row_of);
@@ -106,7 +106,7 @@ impl Grid {
             #[inline(always)]
             || {
                 for (j, sums) in residual.chunks_exact_mut(self.size[0]).enumerate() {
-                    self.inflow((j, true), sources, p, sums);
+                    self.inflow(j, true, sources, p, sums);
                 }
             },
         );
@@ -123,7 +123,7 @@ impl Grid {
                 for (colour, k) in (0..2 * rows).map(|k| (k / rows, k % rows)) {
                     let j = if is_reversed { rows - 1 - k } else { k };
                     let first = (j + colour + usize::from(is_reversed)) % 2;
-                    self.inflow((j, false), sources, p, sums);
+                    self.inflow(j, false, sources, p, sums);
                     let (row, last) = (j * n, n - 1);
                     let inverse = &self.inverse[row..row + n];
                     // Both ends of a row with an odd number of cells have one colour and a common face: the later one waits.

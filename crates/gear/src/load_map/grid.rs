@@ -62,7 +62,7 @@ impl Grid {
         pair: &GearPair,
         row: &mut ContactLine,
         front: f64,
-        (from, to): (f64, f64),
+        [from, to]: [f64; 2],
         pitch: usize,
     ) {
         let count = self.cells as f64;
@@ -109,14 +109,14 @@ impl Grid {
 }
 
 /// Contact interval y/b of the face for a tooth at the coordinate `front` on the front face.
-fn span(pair: &GearPair, front: f64, low: f64, high: f64) -> Option<(f64, f64)> {
+fn span(pair: &GearPair, front: f64, low: f64, high: f64) -> Option<[f64; 2]> {
     if pair.is_spur() {
-        return (low <= front && front < high).then_some((0.0, 1.0));
+        return (low <= front && front < high).then_some([0.0, 1.0]);
     }
     let eps_beta = pair.path.eps_beta;
     let (from, to) = (front.max(low), (front + eps_beta).min(high));
     (to - from > LEAST_COVER).then(|| {
         let across = |xi: f64| ((xi - front) / eps_beta).clamp(0.0, 1.0);
-        (across(from), across(to))
+        [across(from), across(to)]
     })
 }

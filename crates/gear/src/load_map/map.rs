@@ -148,13 +148,7 @@ impl LoadMap {
         let force = pair.forces(Torque::from_si(torque))?.normal_base.si();
         let mut marks = vec![pair.path.eps_2];
         let model = if law.is_elastic() {
-            let grid = elastic(
-                pair,
-                force,
-                law,
-                (micro, materials, settings),
-                &mut evidence,
-            )?;
+            let grid = elastic(pair, force, law, micro, materials, settings, &mut evidence)?;
             marks.extend(grid.separation.knots());
             if grid.edges.is_some() {
                 marks.extend([-grid.reach(), pair.path.eps_alpha + grid.reach()]);
@@ -394,7 +388,9 @@ fn elastic(
     pair: &GearPair,
     force: f64,
     law: &LoadLaw,
-    (micro, materials, settings): (&MicroGeometry, &[Material; 2], &LoadMapSettings),
+    micro: &MicroGeometry,
+    materials: &[Material; 2],
+    settings: &LoadMapSettings,
     evidence: &mut LoadMapEvidence,
 ) -> Result<Grid, GearError> {
     let separation = Separation::new(micro, pair)?;

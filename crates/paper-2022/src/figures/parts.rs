@@ -64,7 +64,7 @@ pub(super) fn figures(
         every_engagement_percent: percent(third, whole[2]),
     });
     write(&folder.join(TABLE), rows)?;
-    let bars = |name, title: &str, of: fn(&PartRow) -> (f64, f64)| Figure {
+    let bars = |name, title: &str, of: fn(&PartRow) -> [f64; 2]| Figure {
         name,
         drawing: Drawing::Bars(BarChart {
             id: name.to_owned(),
@@ -76,22 +76,22 @@ pub(super) fn figures(
     };
     Ok(vec![
         bars("fig12a_in_contact", "Fig. 12a: losses in contact", |row| {
-            (row.in_contact_w, row.in_contact_percent)
+            [row.in_contact_w, row.in_contact_percent]
         }),
         bars(
             "fig12b_after_contact",
             "Fig. 12b: losses after contact",
-            |row| (row.after_contact_w, row.after_contact_percent),
+            |row| [row.after_contact_w, row.after_contact_percent],
         ),
         bars(
             "fig12c_every_engagement",
             "Fig. 12c: losses after contact, deformation over the face in every engagement",
-            |row| (row.every_engagement_w, row.every_engagement_percent),
+            |row| [row.every_engagement_w, row.every_engagement_percent],
         ),
     ])
 }
 
-fn bar(name: &str, (value, percent): (f64, f64)) -> Bar {
+fn bar(name: &str, [value, percent]: [f64; 2]) -> Bar {
     let text = match percent >= 0.01 {
         true => format!("{value:.1} W, {percent:.1} %"),
         false => format!("{value:.1e} W, {percent:.0e} %"),

@@ -421,8 +421,8 @@ impl Parsed<'_> {
         let z_stated = self.unit(Axis::Height, self.chosen.z, special.unit, warnings)?;
         if let Some(dx) = self.options.spacing() {
             warnings.extend(x.and_then(|x| self.overridden(x, dx)));
-            let spacing = (dx.si(), SpacingSource::Stated);
-            return without_x(spacing, z_stated, extent(dx.si()), warnings);
+            let source = SpacingSource::Stated;
+            return without_x(dx.si(), source, z_stated, extent(dx.si()), warnings);
         }
         if let (Some(spacing), Some(z_unit)) = (special.spacing, z_stated) {
             return Ok(Measured {
@@ -438,8 +438,8 @@ impl Parsed<'_> {
                 stated,
             };
             warnings.extend(self.options.x_unit.map(not_used));
-            let of_header = (spacing, SpacingSource::Header);
-            return without_x(of_header, z_stated, extent(spacing), warnings);
+            let source = SpacingSource::Header;
+            return without_x(spacing, source, z_stated, extent(spacing), warnings);
         }
         let (Some(x), Some(x_column), Some(column)) = (x, self.chosen.x, column) else {
             return no_spacing(SpacingHint::None);
@@ -537,7 +537,8 @@ impl Parsed<'_> {
 
 /// Spacing \[m\] of heights without x, with their unit: as stated, or the only possible one.
 fn without_x(
-    (spacing, source): (f64, SpacingSource),
+    spacing: f64,
+    source: SpacingSource,
     z_stated: Option<LengthUnit>,
     extent: Extent,
     warnings: &mut Vec<Warning>,

@@ -252,7 +252,8 @@ impl ReadFault {
     /// `missing` of `points` points have no height; `first` is what the line of the first reads, or which point of the trace
     /// or surface it is, and `fillable` whether [`Gaps::Interpolate`](super::Gaps::Interpolate) would fill them.
     pub(super) fn missing_points(
-        (line, first): (Option<usize>, &str),
+        line: Option<usize>,
+        first: &str,
         [missing, points]: [usize; 2],
         fillable: bool,
     ) -> Self {

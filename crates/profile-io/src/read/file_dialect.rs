@@ -24,7 +24,8 @@ enum Kind {
 /// lines in a row without a row of the table, are a fault of the file.
 pub(super) fn of_file(
     fault: ReadFault,
-    (number, text): (usize, &str),
+    number: usize,
+    text: &str,
     lines: &mut Lines<'_, '_>,
     sniffed: &Sniffed,
 ) -> Result<ReadFault, ReadFault> {

@@ -291,7 +291,8 @@ pub(super) fn heights(
     if gaps == Gaps::Refuse || !fillable {
         let (line, first) = first(gap)?;
         return Err(ReadFault::missing_points(
-            (line, &first),
+            line,
+            &first,
             [missing, z.len()],
             fillable,
         ));
@@ -309,7 +310,8 @@ pub(super) fn heights(
 /// Heights with bridges over missing ones, level at the ends, so that every row keeps its places; and the number of points bridged
 /// among those that are used. Refused if more than a quarter of these is missing, or one with [`Gaps::Refuse`].
 pub(super) fn bridged(
-    (z, used): (&[f64], Range<usize>),
+    z: &[f64],
+    used: Range<usize>,
     options: &ReadOptions,
 ) -> Result<(Vec<f64>, usize), ReadFault> {
     let (_, _, inner) = interpolate(z);
@@ -322,7 +324,8 @@ pub(super) fn bridged(
         let gap = of_used.iter().position(|z| !z.is_finite()).unwrap_or(0);
         let first = node(used.start + gap, options, None);
         return Err(ReadFault::missing_points(
-            (None, &first),
+            None,
+            &first,
             [missing, of_used.len()],
             fillable && !inner.is_empty(),
         ));
@@ -406,7 +409,7 @@ mod tests {
                 gaps,
                 ..ReadOptions::default()
             };
-            bridged((z, used), &options).map_err(|fault| fault.in_file("a.sur").to_string())
+            bridged(z, used, &options).map_err(|fault| fault.in_file("a.sur").to_string())
         };
         // Points that are not used are bridged and do not count.
         let row = vec![1.0, 1.0, 2.0, 3.0, 4.0, 4.0];

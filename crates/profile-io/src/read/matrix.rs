@@ -190,7 +190,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
                 Ok(_) => {}
                 Err(fault) => {
                     let (number, text) = (line.number, line.text.to_owned());
-                    return Err(of_file(fault, (number, &text), &mut lines, self.sniffed)?);
+                    return Err(of_file(fault, number, &text, &mut lines, self.sniffed)?);
                 }
             }
         }

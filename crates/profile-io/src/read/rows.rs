@@ -45,7 +45,7 @@ pub(super) fn read(
             Ok(row) => row,
             Err(fault) => {
                 let (number, text) = (line.number, line.text.to_owned());
-                return Err(of_file(fault, (number, &text), &mut lines, sniffed)?);
+                return Err(of_file(fault, number, &text, &mut lines, sniffed)?);
             }
         };
         match chosen.x.is_some() && x.is_nan() {
@@ -69,7 +69,7 @@ pub(super) fn read(
         if line.number == single {
             let fault = table::unreadable(head, &line, line.text.trim(), sniffed.dialect);
             let text = line.text.to_owned();
-            return Err(of_file(fault, (single, &text), &mut lines, sniffed)?);
+            return Err(of_file(fault, single, &text, &mut lines, sniffed)?);
         }
     }
     Ok(rows)

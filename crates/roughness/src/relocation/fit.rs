@@ -166,7 +166,7 @@ impl Fit {
             points.moved(&mut place, moved);
             change = (moved[0].abs() + moved[1].abs()) / before.dx;
             if step >= FREE_STEPS && change < SETTLED {
-                return points.done(place, (weights, *scale), (share, free), after.dx);
+                return points.done(place, weights, *scale, share, free, after.dx);
             }
         }
         Err(RoughnessError::NotConverged {
@@ -486,8 +486,10 @@ impl Points {
     fn done(
         self,
         place: Place,
-        (weights, scale): (Vec<f64>, f64),
-        (share, free): (f64, usize),
+        weights: Vec<f64>,
+        scale: f64,
+        share: f64,
+        free: usize,
         dx: f64,
     ) -> Result<Fit, RoughnessError> {
         let counts = |(lost, weight): (&f64, &f64)| *weight > 0.0 && lost.abs() < NOISE * scale;

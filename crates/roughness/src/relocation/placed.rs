@@ -29,7 +29,8 @@ const WIDER: f64 = 1.2;
 pub(super) fn placed(
     traces: [&Trace; 2],
     found: &Matches,
-    (most_shift, form): (f64, Form),
+    most_shift: f64,
+    form: Form,
 ) -> Result<(Fit, f64), Fault> {
     let fit = |place: &Match| Fit::new(traces, *place, form == Form::Poly2);
     let best = found.alike.first();

@@ -171,19 +171,16 @@ pub fn relocate(before: &Profile, after: &Profile, bounds: Bounds) -> Result<Rel
     let cutoff = noise_cutoff(before, after);
     let [first, second] = [Trace::new(before, cutoff)?, Trace::new(after, cutoff)?];
     let found = search(&first, &second, bounds.stretch).map_err(RoughnessError::from)?;
-    let (fit, correlation) = placed([&first, &second], &found, (shift, bounds.form))?;
-    relocation(
-        &fit,
-        (&first, &second),
-        (correlation, found.elsewhere),
-        cutoff,
-    )
+    let (fit, correlation) = placed([&first, &second], &found, shift, bounds.form)?;
+    relocation(&fit, &first, &second, correlation, found.elsewhere, cutoff)
 }
 
 fn relocation(
     fit: &Fit,
-    (first, second): (&Trace, &Trace),
-    (correlation, elsewhere): (f64, f64),
+    first: &Trace,
+    second: &Trace,
+    correlation: f64,
+    elsewhere: f64,
     noise_cutoff: Length,
 ) -> Result<Relocation, Fault> {
     let place = fit.place;

@@ -187,13 +187,14 @@ struct OnFlank<'a> {
 /// of a tooth of the pinion.
 pub(super) fn in_case(
     case: &LoadedCase,
-    (stated, engagements): (Option<WornFlank>, Option<f64>),
+    stated: Option<WornFlank>,
+    engagements: Option<f64>,
     matched: &[Matched],
     step: &dyn Fn(usize),
 ) -> Result<ChangeInCase, Fault> {
     let placed = matched
         .iter()
-        .map(|(pair, found)| on_flank(case, (pair, found), stated));
+        .map(|(pair, found)| on_flank(case, pair, found, stated));
     let mut pairs = placed.collect::<Result<Vec<_>, Fault>>()?;
     for flank in WornFlank::BOTH {
         let of_flank = |pair: &&mut OnFlank<'_>| pair.flank == flank;
@@ -237,8 +238,8 @@ pub(super) fn in_case(
     };
     let mesh = Mesh::new(&before.case)?;
     let flanks = WornFlank::BOTH.into_iter().map(|flank| {
-        let states = ([&before, &after], run_in.as_ref());
-        flank_change(&mesh, (flank, engagements), &pairs, states)
+        let states = [&before, &after];
+        flank_change(&mesh, flank, engagements, &pairs, states, run_in.as_ref())
     });
     let flanks = flanks
         .filter_map(Result::transpose)
@@ -342,7 +343,8 @@ fn is_trace_of(report: &FlankReport, trace: &Profile) -> bool {
 /// The flank that has the trace before the test, with its place there.
 fn on_flank<'a>(
     case: &LoadedCase,
-    (pair, found): (&'a TracePair, &'a Relocation),
+    pair: &'a TracePair,
+    found: &'a Relocation,
     stated: Option<WornFlank>,
 ) -> Result<OnFlank<'a>, Fault> {
     let [name, after] = &pair.names;
@@ -537,9 +539,11 @@ fn heights_of(case: &LoadedCase, flank: WornFlank) -> Result<[f64; 2], Fault> {
 /// Change of a flank by the test; `None` without pairs on it.
 fn flank_change(
     mesh: &Mesh,
-    (flank, engagements): (WornFlank, Option<f64>),
+    flank: WornFlank,
+    engagements: Option<f64>,
     pairs: &[OnFlank<'_>],
-    (states, run_in): ([&LoadedCase; 2], Option<&MeshOutcome>),
+    states: [&LoadedCase; 2],
+    run_in: Option<&MeshOutcome>,
 ) -> Result<Option<FlankChange>, Fault> {
     let own: Vec<&OnFlank<'_>> = pairs.iter().filter(|on| on.flank == flank).collect();
     if own.is_empty() {

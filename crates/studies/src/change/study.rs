@@ -249,7 +249,7 @@ impl StudySettings for ChangeSettings {
         }
         let in_case = given.case.map(|case| {
             let step = |k: usize| (watch.progress)(count + k, count + runs);
-            in_case(&case, (self.flank, self.engagements), &matched, &step)
+            in_case(&case, self.flank, self.engagements, &matched, &step)
         });
         let in_case = in_case.transpose()?;
         let removed = pairs.iter().map(|pair| pair.heights.removed_nm.value);

@@ -356,7 +356,7 @@ pub fn compare<C: Clone + Into<Train>>(
     let mut results: Vec<FinishResult> = Vec::with_capacity(runs.len());
     for (k, (name, case, outcome)) in runs.iter().enumerate() {
         let first = (k > 0).then(|| &runs[0].2);
-        results.push(finish_result(name, (case, outcome), first)?);
+        results.push(finish_result(name, case, outcome, first)?);
     }
     let are_finishes = runs
         .iter()
@@ -442,7 +442,8 @@ pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
 
 fn finish_result(
     name: &str,
-    (case, outcome): (&Train, &Outcome),
+    case: &Train,
+    outcome: &Outcome,
     first: Option<&Outcome>,
 ) -> Result<FinishResult, Error> {
     let compared = first.and_then(|first| first.drawn_beside(outcome));

@@ -2,7 +2,7 @@
 
 use asperity::PositionError;
 use asperity::case::LoadedCase;
-use asperity::flanks::{Roughness, WindowPair};
+use asperity::flanks::{OffsetIndex, Roughness, WindowPair};
 use asperity::mesh::{Mesh, MeshPosition};
 use asperity_core::Profile;
 use asperity_core::task::try_par_map;
@@ -46,13 +46,15 @@ pub(super) fn roughness(
     let positions = Mesh::new(&loaded.case)?.positions;
     let model = &loaded.case.model;
     let surfaces = &loaded.surfaces;
-    let at = |at: &MeshPosition, offset: (usize, usize)| {
-        let pair = WindowPair::at(surfaces, at, (model.window, loaded.case.modulus), offset)?;
+    let at = |at: &MeshPosition, offset: OffsetIndex| {
+        let pair = WindowPair::at(surfaces, at, model.window, loaded.case.modulus, offset)?;
         let roughness = surfaces.roughness_at(at, model.window, offset)?;
         pair.map(|pair| window(&pair, &roughness)).transpose()
     };
     let mean = |k: usize| {
-        let found = positions.iter().map(|position| at(position, (k, offsets)));
+        let found = positions
+            .iter()
+            .map(|position| at(position, OffsetIndex { k, count: offsets }));
         let resolved = found.filter_map(Result::transpose);
         let resolved = resolved.collect::<Result<Vec<_>, _>>()?;
         let each = |of: Value| resolved.iter().map(of).sum::<f64>() / resolved.len() as f64;

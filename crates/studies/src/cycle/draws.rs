@@ -37,7 +37,8 @@ impl<'a> Draws<'a> {
     /// The draws of a finish with the losses `loss_w` \[W\] at the points of the cycle, which are medians; `None` on a map without
     /// draws.
     pub fn new(
-        (finish, celsius): (&'a FinishMap, f64),
+        finish: &'a FinishMap,
+        celsius: f64,
         cycle: &'a Cycle,
         loss_w: &[f64],
     ) -> Option<Self> {

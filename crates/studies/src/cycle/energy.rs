@@ -144,7 +144,8 @@ fn holes(map: &Map) -> Fault {
 pub fn evaluate(
     map: &Arc<Map>,
     temperature: usize,
-    (cycle, name): (&Cycle, &str),
+    cycle: &Cycle,
+    name: &str,
     takes_any: bool,
 ) -> Result<CycleResult, Fault> {
     let energy = |is_meant: &dyn Fn(f64) -> bool| {
@@ -171,7 +172,7 @@ pub fn evaluate(
     let mut of_first: Option<Draws<'_>> = None;
     for (finish, surface) in map.finishes.iter().zip(&surfaces) {
         let mut result = of_finish(finish, surface, cycle);
-        let draws = Draws::new((finish, celsius), cycle, &result.loss_w);
+        let draws = Draws::new(finish, celsius, cycle, &result.loss_w);
         let deltas = of_first.as_ref().and_then(|first| {
             let own = draws.as_ref()?.energies_wh(Beside::First)?;
             let first = first.energies_wh(Beside::Other(&finish.draws))?;

@@ -97,7 +97,8 @@ pub(super) type RunInFlanks = BTreeMap<(usize, bool), Surfaces>;
 /// The case on its flanks run in, once for all torques of one sign.
 fn on_run_in(
     case: LoadedCase,
-    (plan, mesh): (Option<RunningInPlan>, usize),
+    plan: Option<RunningInPlan>,
+    mesh: usize,
     known: &mut RunInFlanks,
 ) -> Result<LoadedCase, Error> {
     let Some(plan) = plan else {
@@ -136,7 +137,7 @@ pub(super) fn evaluate(
         Err(error) => return nodes.iter().map(|_| Err(code(error))).collect(),
     };
     let evaluated = par_map(&nodes, |&(column, speed, temperature)| {
-        let losses = prepared.at((column, speed), temperature, is_node(speed, temperature));
+        let losses = prepared.at(column, speed, temperature, is_node(speed, temperature));
         progress();
         losses.map_err(|error| code(&error))
     });
@@ -176,7 +177,7 @@ impl Prepared {
                     continue;
                 }
                 let case = at_torque(&mesh.case, torque)?;
-                let case = on_run_in(case, (mesh.case.case.running_in, k), run_in)?;
+                let case = on_run_in(case, mesh.case.case.running_in, k, run_in)?;
                 let tables = match case.case.formulation.pressures() {
                     None => Run::new(&case).known(&known).contacts()?,
                     Some(_) => Vec::new(),
@@ -191,7 +192,8 @@ impl Prepared {
 
     fn at(
         &self,
-        (column, speed): (usize, f64),
+        column: usize,
+        speed: f64,
         temperature: f64,
         is_node: bool,
     ) -> Result<Evaluated, Error> {
@@ -201,7 +203,7 @@ impl Prepared {
             let (case, tables) = prepared
                 .ok_or_else(PositionError::no_profile)
                 .map_err(Box::new)?;
-            at(case, tables, (load.speed, temperature), is_node)
+            at(case, tables, load.speed, temperature, is_node)
         };
         let meshes = self.meshes.iter().zip(&self.loads[column]).map(of_mesh);
         Ok(Evaluated {
@@ -235,11 +237,11 @@ impl Prepared {
             let loads = &self.loads[column];
             for ((mesh, load), farthest) in evaluated.meshes.iter_mut().zip(loads).zip(&farthest) {
                 if let Some((_, case, tables)) = farthest.get(&load.torque.si().to_bits()) {
-                    let other = at(case, tables, (load.speed, temperature), false);
+                    let other = at(case, tables, load.speed, temperature, false);
                     mesh.lowered = Some((0.0, Box::new(other.map_err(code)?)));
                 }
             }
-            settle(train, torque, (loads, &farthest), &mut evaluated).map_err(code)?;
+            settle(train, torque, loads, &farthest, &mut evaluated).map_err(code)?;
             Ok(evaluated)
         })
     }
@@ -315,7 +317,8 @@ fn left(train: &Train, torque: Torque, evaluated: &Evaluated) -> Result<Vec<Mesh
 fn settle(
     train: &Train,
     torque: Torque,
-    (loads, farthest): (&[MeshLoad], &[BTreeMap<u64, Lowered>]),
+    loads: &[MeshLoad],
+    farthest: &[BTreeMap<u64, Lowered>],
     evaluated: &mut Evaluated,
 ) -> Result<(), Error> {
     /// Change of the share at which it has settled.
@@ -366,7 +369,8 @@ fn loads(train: &Train, at: MeshLoad, losses: &[Vec<Power>]) -> Result<Vec<MeshL
 fn at(
     case: &LoadedCase,
     tables: &[Contacts],
-    (speed, temperature): (AngularSpeed, f64),
+    speed: AngularSpeed,
+    temperature: f64,
     is_node: bool,
 ) -> Result<EvaluatedMesh, Error> {
     let temperature = temperature_of(temperature);
@@ -532,7 +536,7 @@ mod tests {
             &[1500.0],
         )
         .unwrap();
-        prepared.at((0, 1500.0), 90.0, false).unwrap();
+        prepared.at(0, 1500.0, 90.0, false).unwrap();
         let meshes = prepared.meshes.iter().flat_map(BTreeMap::values);
         let contacts = meshes.flat_map(|(_, contacts)| contacts);
         contacts

@@ -60,11 +60,11 @@ pub fn map<C: Clone + Into<Train>>(
     let done = AtomicUsize::new(0);
     let progress = || progress(1 + done.fetch_add(1, Ordering::Relaxed), total);
     for (finish, sides) in finishes.iter().zip(&sides) {
-        maps.push(of_finish(finish, sides, (axes, &speeds), band, &progress)?);
+        maps.push(of_finish(finish, sides, axes, &speeds, band, &progress)?);
     }
     if let Some((first, others)) = maps.split_first_mut() {
         for (finish, own) in others.iter_mut().zip(&finishes[1..]) {
-            put_common(finish, &own.case, (first, case));
+            put_common(finish, &own.case, first, case);
             let largest = finish.largest().map(|(at, _)| at);
             finish.difference_w = largest.and_then(|at| {
                 let of_first = first.points.get(at)?;
@@ -104,7 +104,7 @@ pub fn map<C: Clone + Into<Train>>(
 }
 
 /// States the draws that each mesh of a finish has in common with the first finish.
-fn put_common(finish: &mut FinishMap, case: &Train, (first, of_first): (&FinishMap, &Train)) {
+fn put_common(finish: &mut FinishMap, case: &Train, first: &FinishMap, of_first: &Train) {
     // The correlations follow from the nodes of largest torque and speed.
     let drawn = |train: &Train, draws: &[DrawnNodes]| {
         let cases: Vec<LoadedCase> = train.cases().cloned().collect();
@@ -217,7 +217,8 @@ type Computed = BTreeMap<(usize, u64), Vec<Result<Evaluated, Code>>>;
 fn of_finish(
     finish: &Finish<Train>,
     sides: &Sides,
-    (axes, speeds): (&Axes, &[f64]),
+    axes: &Axes,
+    speeds: &[f64],
     band: MapBand,
     progress: &(dyn Fn() + Sync),
 ) -> Result<FinishMap, Error> {
@@ -237,7 +238,7 @@ fn of_finish(
         checkpoint()?;
         computed.insert((side, torque.to_bits()), evaluated);
     }
-    let draws = draws(train, &computed, drawn, sides.differ, (axes, speeds));
+    let draws = draws(train, &computed, drawn, sides.differ, axes, speeds);
     let meshes = train.counts().len();
     let drawn = Drawn::new(&draws, meshes, Beside::Nothing, 1.0);
     let nodes = axes.temperature_c.iter().enumerate().flat_map(|(row, t)| {
@@ -254,7 +255,7 @@ fn of_finish(
         let ratios = drawn
             .as_ref()
             .map(|drawn| drawn.quantiles(drawn.place(node[0], node[1], node[2])));
-        let (point, of_meshes) = point((train, sides, ratios), (&computed, speeds), row, node);
+        let (point, of_meshes) = point(train, sides, ratios, &computed, speeds, row, node);
         let parts = point.numbers.and(of_meshes);
         (point, parts)
     };
@@ -315,7 +316,8 @@ fn draws(
     computed: &Computed,
     nodes: [Nodes; 2],
     sides_differ: bool,
-    (axes, speeds): (&Axes, &[f64]),
+    axes: &Axes,
+    speeds: &[f64],
 ) -> Vec<DrawnNodes> {
     let of_mesh = |side: usize, nodes: &Nodes, mesh: usize| {
         let mut predictive = Vec::new();
@@ -357,8 +359,11 @@ fn draws(
 /// A point with the loss torque of each mesh at the input shaft \[N m\], at the median of the draws, whose quantiles are `ratios` of
 /// the loss with every constant at its median.
 fn point(
-    (train, sides, ratios): (&Train, &Sides, Option<Estimate>),
-    (computed, speeds): (&Computed, &[f64]),
+    train: &Train,
+    sides: &Sides,
+    ratios: Option<Estimate>,
+    computed: &Computed,
+    speeds: &[f64],
     row: usize,
     [torque_nm, speed_rpm, temperature_c]: [f64; 3],
 ) -> (Point, Option<Vec<f64>>) {
@@ -683,7 +688,7 @@ mod tests {
             torques: [vec![40.0], Vec::new()],
         };
         let node = [torque_nm, 3000.0, 90.0];
-        let (point, _) = point((train, &sides, None), (&computed, &[3000.0]), 0, node);
+        let (point, _) = point(train, &sides, None, &computed, &[3000.0], 0, node);
         assert_eq!(point.numbers.is_none(), point.code.is_some());
         point.code
     }

@@ -120,7 +120,8 @@ pub(super) fn text_of(
 pub(super) fn close(
     study: &Study,
     list: &CaseList,
-    (shard, shards): (usize, usize),
+    shard: usize,
+    shards: usize,
     rows: &mut Rows,
     folder: &Path,
 ) -> Result<(), SweepError> {
@@ -200,7 +201,7 @@ pub(super) fn read(
     let expected = (header(study, list), list.count());
     let mut rows = Rows::new();
     for path in &files {
-        read_part(path, study, &expected, &mut rows)?;
+        read_part(path, study, &expected.0, expected.1, &mut rows)?;
     }
     Ok((rows, files.len()))
 }
@@ -208,7 +209,8 @@ pub(super) fn read(
 fn read_part(
     path: &Path,
     study: &Study,
-    (expected, count): &(Vec<String>, usize),
+    expected: &[String],
+    count: usize,
     rows: &mut Rows,
 ) -> Result<(), SweepError> {
     let refused = |reason: String| SweepError::Part {
@@ -238,11 +240,14 @@ fn read_part(
     }
     let lines = asperity_table::own::cells(table).map_err(|source| refused(source.to_string()))?;
     let mut lines = lines.into_iter();
-    if lines.next().as_ref() != Some(expected) {
+    if lines.next().as_deref() != Some(expected) {
         return Err(refused("it has other columns".to_owned()));
     }
     for cells in lines {
-        let number = cells[0].parse().ok().filter(|number| number < count);
+        let number = cells[0]
+            .parse()
+            .ok()
+            .filter(|number: &usize| *number < count);
         let number = number.ok_or_else(|| refused(format!("there is no case {}", cells[0])))?;
         match rows.get(&number) {
             Some(other) if *other != cells => {

@@ -145,8 +145,10 @@ fn axes(merged: &Merged) -> Vec<Drawing> {
     let is_end = |name: &str| ENDS.contains(&name) && merged.ends(LOSS).is_some();
     let outputs = merged.outputs.iter().filter(|(name, _)| !is_end(name));
     let of = |(name, values): &(String, Vec<f64>)| {
-        let drawn = (&values[..], merged.ends(name));
-        let over_axes = axes.iter().filter_map(|axis| over(axis, name, drawn));
+        let ends = merged.ends(name);
+        let over_axes = axes
+            .iter()
+            .filter_map(|axis| over(axis, name, values, ends));
         over_axes.collect::<Vec<Drawing>>()
     };
     outputs.flat_map(of).collect()
@@ -157,7 +159,8 @@ fn axes(merged: &Merged) -> Vec<Drawing> {
 fn over(
     axis: &InputColumn,
     name: &str,
-    (values, ends): (&[f64], Option<[&[f64]; 2]>),
+    values: &[f64],
+    ends: Option<[&[f64]; 2]>,
 ) -> Option<Drawing> {
     let output = Output::from_name(name);
     let id = format!("{name}-over-{}", axis.name.replace(['.', ' '], "-"));

@@ -134,12 +134,12 @@ pub fn run(
         });
         let is_full = rows.len() >= CASES_OF_A_PART || opened.elapsed() >= TIME_OF_A_PART;
         if is_full || ended.is_err() {
-            close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
+            close(study, &list, shard.number, shard.of, &mut rows, folder)?;
             opened = Instant::now();
         }
         ended?;
     }
-    close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
+    close(study, &list, shard.number, shard.of, &mut rows, folder)?;
     Ok(finished)
 }
 
@@ -176,7 +176,7 @@ pub(super) fn rows_of(
     };
     let names = outputs(study);
     let row = |(number, inputs, case)| {
-        let row = row(study, (number, inputs, case), &names, &store);
+        let row = row(study, number, inputs, case, &names, &store);
         checkpoint().map_err(Error::from)?;
         Ok(row)
     };
@@ -192,7 +192,9 @@ fn uses_store(study: &Study, train: &Train) -> bool {
 /// The row of a case, or its code where it cannot be resolved.
 fn row(
     study: &Study,
-    (number, inputs, case): (usize, CaseInputs, Result<(Train, String), Code>),
+    number: usize,
+    inputs: CaseInputs,
+    case: Result<(Train, String), Code>,
     names: &[String],
     store: &ContactStore,
 ) -> Vec<String> {

@@ -57,7 +57,7 @@ impl Study {
         let case = case_of(&folder.join(case_file), input.mesh.as_deref())?;
         let stem = file.file_stem().unwrap_or_default();
         let name = stem.to_string_lossy().into_owned();
-        Self::new(input, &text.replace('\r', ""), case, (name, folder))
+        Self::new(input, &text.replace('\r', ""), case, name, folder)
     }
 
     /// Makes a study of `case` with the other keys of a study file, as the text of a JSON object; files that it names are
@@ -72,15 +72,16 @@ impl Study {
             let place = format!(" at line {} column {}", error.line(), error.column());
             SweepError::key(IN_MEMORY, message.strip_suffix(&place).unwrap_or(&message))
         })?;
-        let name = (IN_MEMORY.to_owned(), folder.to_owned());
-        Self::new(input, text, case.into(), name)
+        let (name, folder) = (IN_MEMORY.to_owned(), folder.to_owned());
+        Self::new(input, text, case.into(), name, folder)
     }
 
     fn new(
         input: StudyInput,
         text: &str,
         case: Train,
-        (name, folder): (String, PathBuf),
+        name: String,
+        folder: PathBuf,
     ) -> Result<Self, SweepError> {
         let table = match input
             .sample

@@ -74,7 +74,7 @@ impl<'a> Flow<'a> {
                 let passes = apart(track, *made, until);
                 let solve = |(solver, pass): (&mut Solver, &Pass)| {
                     let load = track.positions[pass.position].load;
-                    track.press((solver, self.case), pass, (load, None), self.limit)
+                    track.press(solver, self.case, pass, load, None, self.limit)
                 };
                 let solved = par_map((solvers.as_mut_slice(), &passes), solve);
                 for (pass, contact) in passes.iter().zip(solved) {
