@@ -163,12 +163,13 @@ fn small_case_without_traces() -> LoadedCase {
 
 fn read_small_case_without_traces() -> LoadedCase {
     let flanks = "surface = { pinion = { rq = \"0.3 um\" }, wheel = { rq = \"0.3 um\" } }";
-    let lines = SMALL_CASE
-        .lines()
-        .map(|line| match line.trim_start().starts_with("surface") {
-            true => flanks,
-            false => line,
-        });
+    let lines = SMALL_CASE.lines().map(|line| {
+        if line.trim_start().starts_with("surface") {
+            flanks
+        } else {
+            line
+        }
+    });
     let text = lines.collect::<Vec<_>>().join("\n");
     let missing = |_: &str| Err(std::io::ErrorKind::NotFound.into());
     case::from_text("case.toml", &text, &missing).unwrap()

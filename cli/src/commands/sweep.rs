@@ -129,9 +129,10 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
                     .map(|(code, refused)| line_of(code, refused))
                     .collect();
                 let rows = "cases cannot be run; their rows hold only the error code";
-                let cases = match checked < of {
-                    true => format!("{checked} checked"),
-                    false => of.to_string(),
+                let cases = if checked < of {
+                    format!("{checked} checked")
+                } else {
+                    of.to_string()
                 };
                 let warning = Warning::new(Code::W430, format!("{count} of {cases} {rows}"));
                 progress.note(&format!("{warning}\n{}", lines.trim_end()));

@@ -104,7 +104,7 @@ const TABLE: (&str, &str) = ("table", "the user's table");
 type Drags = Vec<(usize, f64)>;
 
 /// Kind and law of a part, its loss torque, and the inputs outside the range of the law.
-type Loss = ((&'static str, &'static str), Torque, Vec<OutOfRange>);
+type PartLoss = ((&'static str, &'static str), Torque, Vec<OutOfRange>);
 
 /// Speeds and torques of the shafts.
 #[derive(Clone, Copy)]
@@ -270,7 +270,7 @@ impl<'a> Gears<'a> {
         kind: &PartKind,
         turning: Turning<'_>,
         at: &At,
-    ) -> Result<Loss, PositionError> {
+    ) -> Result<PartLoss, PositionError> {
         let inside = |law, torque| Ok((law, torque, Vec::new()));
         // A shaft that does not turn loses nothing.
         let stands = at.speed.si() == 0.0;

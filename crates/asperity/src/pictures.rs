@@ -9,7 +9,7 @@ use asperity_contact::subsurface::{Peak, graded_depths, subsurface_stress};
 use asperity_core::quantity::Length;
 
 use crate::contacts::{Displacements, Pressing, WindowContact, pressing_history};
-use crate::lubrication::{LubricatedPosition, Lubrication, RoughFilm, SmoothPosition, doubts};
+use crate::lubrication::{LubricatedMesh, LubricatedPosition, RoughFilm, SmoothPosition, doubts};
 use crate::mesh::MeshPosition;
 use crate::result::{ContactView, HistoryRow, PatchFields, PositionFields, SubsurfaceFields};
 use asperity_case::case::OperatingCase;
@@ -48,7 +48,7 @@ impl Picture {
     /// # Errors
     /// When the contact has no solution.
     pub(crate) fn new(
-        lubrication: &Lubrication<'_>,
+        lubrication: &LubricatedMesh<'_>,
         position: &LubricatedPosition,
         contacts: &[Arc<WindowContact>],
         with_fields: bool,
@@ -95,7 +95,7 @@ impl Picture {
 
 /// The first patch of a position, of `count` windows; `None` of lines, and where the flanks do not touch.
 fn patch(
-    lubrication: &Lubrication<'_>,
+    lubrication: &LubricatedMesh<'_>,
     position: &LubricatedPosition,
     contact: &WindowContact,
     count: usize,

@@ -313,9 +313,10 @@ fn row(cells: Row<'_>) -> Result<RigRow, RowFault> {
     };
     let (torque_nm, speed_rpm) = (cells.number("torque_nm")?, cells.number("speed_rpm")?);
     let omega = speed_rpm * PI / 30.0;
-    let (loss, loss_w) = match cells.has("loss_w") {
-        true => ("loss_w", cells.number("loss_w")?),
-        false => ("torque_loss_nm", cells.number("torque_loss_nm")? * omega),
+    let (loss, loss_w) = if cells.has("loss_w") {
+        ("loss_w", cells.number("loss_w")?)
+    } else {
+        ("torque_loss_nm", cells.number("torque_loss_nm")? * omega)
     };
     let row = RigRow {
         line: cells.line,

@@ -296,12 +296,13 @@ fn check_mean(
     let rows = (0..LINES).map(|k| (2 * k + 1) * across / (2 * LINES) + 1);
     let squares: Vec<f64> = rows.filter_map(of_line).collect();
     let lines = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
-    match mean.si() < LEAST * lines {
-        true => Err(TraceError::AveragedOut {
+    if mean.si() < LEAST * lines {
+        Err(TraceError::AveragedOut {
             mean,
             lines: Length::from_si(lines),
-        }),
-        false => Ok(()),
+        })
+    } else {
+        Ok(())
     }
 }
 

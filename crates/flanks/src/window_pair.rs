@@ -133,7 +133,7 @@ impl Window {
             }
             None => {
                 let [along, across] = window_places(k, count, position.cell);
-                let wanted = Wanted {
+                let wanted = WantedWindow {
                     points: n,
                     // Several windows must differ.
                     way: match count {
@@ -286,7 +286,7 @@ impl WindowPair {
 
 /// Points of a window, and of a half-width of the contact.
 #[derive(Clone, Copy)]
-struct Wanted {
+struct WantedWindow {
     points: usize,
     /// Least number of points that it can be moved by.
     way: usize,
@@ -298,10 +298,10 @@ struct Wanted {
 fn start(
     profile: &Profile,
     whole: Option<Length>,
-    wanted: Wanted,
+    wanted: WantedWindow,
     place: f64,
 ) -> Result<isize, PositionError> {
-    let Wanted {
+    let WantedWindow {
         points,
         way,
         half_width,

@@ -149,9 +149,10 @@ mod tests {
             "20 deg".parse().unwrap(),
             "20 mm".parse().unwrap(),
         );
-        match is_ring {
-            true => GearPair::internal(&input).unwrap(),
-            false => GearPair::new(&input).unwrap(),
+        if is_ring {
+            GearPair::internal(&input).unwrap()
+        } else {
+            GearPair::new(&input).unwrap()
         }
     }
 

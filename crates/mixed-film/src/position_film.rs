@@ -115,7 +115,7 @@ struct Touching<'s> {
 }
 
 /// Friction at the solved share.
-struct Friction {
+struct WindowFriction {
     shared: SharedFriction,
     /// Mean film of the spots \[m\].
     spot_film: f64,
@@ -489,9 +489,10 @@ impl PositionFilm<'_> {
     ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
         let phi = touching.share.value * self.settings.share_factor;
         self.load_film(1.0 - phi, window, touching.mean_gap)?;
-        let friction = match phi == 0.0 {
-            true => self.film_alone()?,
-            false => self.friction_of(phi, &touching.spots)?,
+        let friction = if phi == 0.0 {
+            self.film_alone()?
+        } else {
+            self.friction_of(phi, &touching.spots)?
         };
         let mut outside = self.outside.clone();
         COMPARED.check(self.roughness_over_film(window), &mut outside);
@@ -509,9 +510,9 @@ impl PositionFilm<'_> {
         touching: &Touching<'_>,
         window: &WindowRoughness,
         psi: f64,
-        friction: &Friction,
+        friction: &WindowFriction,
     ) -> Result<LoadShareSolution, LoadShareError> {
-        let Friction {
+        let WindowFriction {
             shared, evidence, ..
         } = friction;
         let parts = shared.parts()?;
@@ -632,9 +633,9 @@ impl PositionFilm<'_> {
     }
 
     /// The film without asperities, by the routine of film friction.
-    fn film_alone(&mut self) -> Result<Friction, LoadShareError> {
+    fn film_alone(&mut self) -> Result<WindowFriction, LoadShareError> {
         let solution = self.film.solve()?.value;
-        Ok(Friction {
+        Ok(WindowFriction {
             shared: SharedFriction {
                 asperity_share: 0.0,
                 boundary_share: 0.0,
@@ -652,7 +653,7 @@ impl PositionFilm<'_> {
         &mut self,
         phi: f64,
         spots: &[(&[Spot], f64)],
-    ) -> Result<Friction, LoadShareError> {
+    ) -> Result<WindowFriction, LoadShareError> {
         let unit_rise = self.film.surface_rise(1.0);
         let is_cold = unit_rise == 0.0 || self.film.heat() == FilmHeat::Isothermal;
         // Other windows at a position rub alike; the first starts from the friction of cold surfaces.
@@ -746,8 +747,8 @@ impl PositionFilm<'_> {
         Ok((at, steepness))
     }
 
-    fn friction(&self, phi: f64, at: &AtRise, evidence: Solved) -> Friction {
-        Friction {
+    fn friction(&self, phi: f64, at: &AtRise, evidence: Solved) -> WindowFriction {
+        WindowFriction {
             shared: self.shared(phi, at),
             spot_film: at.spot.film,
             evidence,

@@ -373,9 +373,10 @@ impl RoughContact {
                 start: start.as_deref(),
                 ..*problem
             };
-            match is_exact {
-                true => solver.solve_exactly(&problem, settings),
-                false => solver.solve(&problem, settings),
+            if is_exact {
+                solver.solve_exactly(&problem, settings)
+            } else {
+                solver.solve(&problem, settings)
             }
         })?;
         self.last = Some((phi, solution.pressure.clone()));

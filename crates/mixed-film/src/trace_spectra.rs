@@ -52,7 +52,7 @@ impl TraceSpectra {
         flattening: &Flattening,
         whole: &mut Option<AttenuatedTraces>,
     ) -> Result<WindowRoughness, LoadShareError> {
-        let piece = Piece::around(points);
+        let piece = SpectrumPiece::around(points);
         let longest = traces.map(Profile::len).into_iter().fold(0, usize::max);
         if longest > PIECES * piece.points {
             return self.of_pieces(traces, starts, points, piece, flattening);
@@ -81,7 +81,7 @@ impl TraceSpectra {
         traces: [&Profile; 2],
         starts: [isize; 2],
         points: usize,
-        piece: Piece,
+        piece: SpectrumPiece,
         flattening: &Flattening,
     ) -> Result<WindowRoughness, LoadShareError> {
         let begins = starts.map(|start| piece.begin(start));
@@ -118,7 +118,7 @@ impl TraceSpectra {
 
 /// Points around a window that are transformed with it.
 #[derive(Clone, Copy)]
-struct Piece {
+struct SpectrumPiece {
     points: usize,
     /// Least points on either side of the window.
     margin: usize,
@@ -126,7 +126,7 @@ struct Piece {
     raster: isize,
 }
 
-impl Piece {
+impl SpectrumPiece {
     /// The piece around a window of `points` points: at least as many on either side.
     fn around(points: usize) -> Self {
         let margin = points;

@@ -395,9 +395,10 @@ fn of_lossy_gear(row: &[f64], torque: f64) -> f64 {
     let [eta1, eta2, tau1, tau2] = row.try_into().unwrap();
     // The torque that the bearing on the input side takes, which decides what drives.
     let of_bearing = (tau1 - tau2) / (eta1 - 1.0 / eta2);
-    match torque - of_bearing >= 0.0 {
-        true => (1.0 - eta1) * torque + tau1,
-        false => (1.0 - 1.0 / eta2) * torque + tau2,
+    if torque - of_bearing >= 0.0 {
+        (1.0 - eta1) * torque + tau1
+    } else {
+        (1.0 - 1.0 / eta2) * torque + tau2
     }
 }
 
@@ -777,9 +778,12 @@ fn a_cycle_that_leaves_the_map_gives_no_single_efficiency() {
 
 /// Loss torque, loss power and mark of the places by the C source, driven as a unit; none without a compiler.
 fn driven(source: &str, places: &[[f64; 2]]) -> Option<Vec<[f64; 3]>> {
-    let number = |value: f64| match value.is_nan() {
-        true => "0.0 / 0.0".to_owned(),
-        false => format!("{value:?}"),
+    let number = |value: f64| {
+        if value.is_nan() {
+            "0.0 / 0.0".to_owned()
+        } else {
+            format!("{value:?}")
+        }
     };
     let set = |[torque, speed]: &[f64; 2]| {
         let [torque, speed] = [number(*torque), number(speed * PI / 30.0)];

@@ -490,10 +490,7 @@ impl<'a> LoadedFilm<'a> {
         } else {
             let mut failed = None;
             // Friction rises with the temperature where the limiting stress does.
-            let highest = match slope > 0.0 {
-                true => 2.0 * cold,
-                false => cold,
-            };
+            let highest = if slope > 0.0 { 2.0 * cold } else { cold };
             let root = newton_root(
                 |mu| match self.friction_at(c * mu) {
                     Ok([friction, slope]) => (mu - friction, 1.0 - c * slope),
@@ -628,9 +625,10 @@ fn guess(before: &NearStresses, pressure: f64) -> Option<[f64; 2]> {
     let inner = before[1..GROUPS - 1].iter();
     let k = inner.take_while(|[p, ..]| *p < pressure).count();
     let ([p, stress, slope], [p_next, next, _]) = (before[k], before[k + 1]);
-    let by_pressure = match p_next > p {
-        true => (next - stress) / (p_next - p),
-        false => 0.0,
+    let by_pressure = if p_next > p {
+        (next - stress) / (p_next - p)
+    } else {
+        0.0
     };
     let found = stress + by_pressure * (pressure - p);
     (found > 0.0).then_some([found, slope])

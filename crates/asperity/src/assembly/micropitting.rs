@@ -67,9 +67,10 @@ pub(crate) fn report(
     Ok(Some(MicropittingReport {
         lambda_min: least.lambda,
         path_fraction: least.path_fraction,
-        place: match least.path_fraction < pitch {
-            true => "root of the pinion against the tip of the wheel".to_owned(),
-            false => "tip of the pinion against the root of the wheel".to_owned(),
+        place: if least.path_fraction < pitch {
+            "root of the pinion against the tip of the wheel".to_owned()
+        } else {
+            "tip of the pinion against the root of the wheel".to_owned()
         },
         outside: outside_of_scope(loaded),
         load_factor: rating.load_factor,

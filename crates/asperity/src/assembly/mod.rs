@@ -264,9 +264,10 @@ impl Solved<'_> {
     /// of which it is a part.
     fn running_in(&self) -> Result<RunningIn, PositionError> {
         let mut windows = self.positions.iter().flat_map(|at| &at.offsets);
-        let power = match windows.all(|window| window.deformation.is_some()) {
-            true => 0.0,
-            false => of_all_offsets(self.loaded, &self.positions)?.plastic.si(),
+        let power = if windows.all(|window| window.deformation.is_some()) {
+            0.0
+        } else {
+            of_all_offsets(self.loaded, &self.positions)?.plastic.si()
         };
         let period = self.meshes.first();
         let period = period.map_or(0.0, |mesh| mesh.engagement_period.si());

@@ -81,9 +81,10 @@ fn applied(
         }
         forces.push(of_offsets);
     }
-    let rolling: Vec<f64> = match law.published().excludes_rolling {
-        true => solved.rolling.clone(),
-        false => vec![0.0; solved.rolling.len()],
+    let rolling: Vec<f64> = if law.published().excludes_rolling {
+        solved.rolling.clone()
+    } else {
+        vec![0.0; solved.rolling.len()]
     };
     let number = |position: &LubricatedPosition| position.at.number - 1;
     let mut meshes = Vec::with_capacity(solved.meshes.len());

@@ -70,9 +70,10 @@ impl Offsets {
         let follows_from_windows = case.share_law().contact().is_some()
             && surfaces.are_measured()
             && surfaces.placement().is_none();
-        match follows_from_windows {
-            true => Self::Needed,
-            false => Self::Fixed(default),
+        if follows_from_windows {
+            Self::Needed
+        } else {
+            Self::Fixed(default)
         }
     }
 

@@ -215,11 +215,12 @@ impl Contacts {
 
     /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.
     pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
-        match self.have_windows_of(&ContactInputs::from_case(loaded)) {
-            true => Ok(()),
-            false => Err(PositionError::other_tables(
+        if self.have_windows_of(&ContactInputs::from_case(loaded)) {
+            Ok(())
+        } else {
+            Err(PositionError::other_tables(
                 "flank, steel, window or number of offsets",
-            )),
+            ))
         }
     }
 

@@ -40,19 +40,19 @@ pub(crate) fn in_film<'a>(
     film_share: f64,
     roughness: impl IntoIterator<Item = &'a Roughness>,
 ) -> Result<Vec<InFilm>, PositionError> {
-    struct Open<'a> {
+    struct OpenWindow<'a> {
         k: usize,
         roughness: &'a Roughness,
         oil: LubricantState,
         before: f64,
     }
-    let begin = |(k, roughness)| Open {
+    let begin = |(k, roughness)| OpenWindow {
         k,
         roughness,
         oil: *case.oil(),
         before: 0.0,
     };
-    let mut open: Vec<Open<'_>> = roughness.into_iter().enumerate().map(begin).collect();
+    let mut open: Vec<OpenWindow<'_>> = roughness.into_iter().enumerate().map(begin).collect();
     let mut settled = Vec::with_capacity(open.len());
     for _ in 0..FLASH_PASSES {
         let contacts = open
@@ -73,7 +73,7 @@ pub(crate) fn in_film<'a>(
                 continue;
             }
             let temperature = Temperature::from_si(case.temperature().si() + flash);
-            left.push(Open {
+            left.push(OpenWindow {
                 before: flash,
                 oil: case.lubricant.at(temperature)?.value,
                 ..one

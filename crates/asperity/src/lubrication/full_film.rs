@@ -30,7 +30,7 @@ impl FullFilm {
             at: position,
             film: formula,
         }: SmoothPosition<'_>,
-        fields: Fields,
+        fields: FilmFields,
         [central, minimum, flow]: [f64; 3],
         [coefficient, law]: [Option<f64>; 2],
     ) -> Self {
@@ -87,7 +87,7 @@ impl FullFilm {
 }
 
 /// Places over the half-width, pressures \[Pa\] and films \[m\] there.
-pub(crate) struct Fields {
+pub(crate) struct FilmFields {
     pub x: Vec<f64>,
     pub pressure: Vec<f64>,
     pub film: Vec<f64>,

@@ -6,7 +6,7 @@ use asperity_ehl::{Oil, SteadySettings, steady};
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_oil::{PressureLaw, PressureViscosityLaw};
 
-use super::full_film::{Fields, FullFilm};
+use super::full_film::{FilmFields, FullFilm};
 use super::smooth_position::SmoothPosition;
 use crate::records::PathRecords;
 use crate::reference_solution::smooth_contact;
@@ -85,7 +85,7 @@ fn smooth(
             at: position,
             film: formula,
         },
-        Fields {
+        FilmFields {
             x: film.x,
             pressure: film.pressure.iter().map(|p| p * p_0).collect(),
             film: film.film.iter().map(|h| h * scale).collect(),
@@ -123,7 +123,7 @@ fn recorded(
             at: position,
             film: formula,
         },
-        Fields { x, pressure, film },
+        FilmFields { x, pressure, film },
         [gap.si(), minimum, flow],
         [share.film_coefficient, law],
     ))

@@ -35,4 +35,4 @@ pub use share_comparison::{
     share_settings, shares, windows_at,
 };
 pub(crate) use smooth_position::SmoothPosition;
-pub(crate) use solve::{Lubrication, PositionGradient, doubts};
+pub(crate) use solve::{LubricatedMesh, PositionGradient, doubts};

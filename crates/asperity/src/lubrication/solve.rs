@@ -3,12 +3,12 @@
 //! 1. The formulas give the smooth film of the position.
 //! 2. In every window the rough contact under that film gives the share of the asperities ([`RoughFilm::share`]), unless a law of
 //!    the load share replaces it.
-//! 3. The law of the load share turns this into the shares of film and boundary layer and into a regime ([`Lubrication::decided`]).
+//! 3. The law of the load share turns this into the shares of film and boundary layer and into a regime ([`LubricatedMesh::decided`]).
 //! 4. The friction of the film comes from a solved full film, from the share, or from the law of film friction.
 //! 5. Forces follow from shares and coefficients, and from the forces the flash temperature.
 //!
 //! A formulation with pressures of its own ([`WindowPressures`]) has no share by the contact: its pressures replace what step 3
-//! gives to friction, film share and deformation of a window ([`Lubrication::press_by_law`]).
+//! gives to friction, film share and deformation of a window ([`LubricatedMesh::press_by_law`]).
 
 use std::sync::Arc;
 
@@ -56,7 +56,7 @@ pub(crate) struct PositionGradient {
 
 /// Everything that is the same at all positions.
 #[derive(Clone, Copy)]
-pub(crate) struct Lubrication<'a> {
+pub(crate) struct LubricatedMesh<'a> {
     pub case: &'a OperatingCase,
     pub laws: &'a ChosenLaws,
     pub surfaces: &'a Surfaces,
@@ -64,7 +64,7 @@ pub(crate) struct Lubrication<'a> {
     pub records: Option<&'a PathRecords>,
 }
 
-impl Lubrication<'_> {
+impl LubricatedMesh<'_> {
     /// Film, load share and friction at `at` in every window of `contacts`.
     ///
     /// # Errors
@@ -81,9 +81,10 @@ impl Lubrication<'_> {
         let recorded = records.map(|records| records.at(at.s, smooth));
         let decided = self.decided(of_position, contacts, recorded)?;
         let is_full = |decided: &Decided| decided.decision.is_full;
-        let full_film = match decided.iter().any(is_full) {
-            true => full_film_at(self.case, of_position, self.records, smooth)?,
-            false => None,
+        let full_film = if decided.iter().any(is_full) {
+            full_film_at(self.case, of_position, self.records, smooth)?
+        } else {
+            None
         };
         let frictions = self.in_film(of_position, contacts, &decided, full_film.as_ref())?;
         let mut position = LubricatedPosition {
@@ -327,9 +328,10 @@ impl Lubrication<'_> {
             model: &case.model,
             paper: &case.paper,
         };
-        let pressed = match is_full {
-            true => Pressed::full_film(position.film_pressure(&pair.x)?),
-            false => (law.press(&window)).map_err(|error| error.keeping(&pair.x, &pair.gap))?,
+        let pressed = if is_full {
+            Pressed::full_film(position.film_pressure(&pair.x)?)
+        } else {
+            (law.press(&window)).map_err(|error| error.keeping(&pair.x, &pair.gap))?
         };
         offset.rubbing = Rubbing::of_pressures(case, pair.spacing, &pressed)?;
         if pressed.solids.is_some() {
@@ -417,9 +419,10 @@ impl Lubrication<'_> {
     fn smooth_friction(&self, position: SmoothPosition<'_>) -> Result<Option<f64>, PositionError> {
         let is_compared =
             self.records.is_some() || self.case.model.full_film != FullFilmName::Formulas;
-        match is_compared && self.is_film_alone() {
-            true => friction::smooth(self.case, self.laws, self.surfaces, position).map(Some),
-            false => Ok(None),
+        if is_compared && self.is_film_alone() {
+            friction::smooth(self.case, self.laws, self.surfaces, position).map(Some)
+        } else {
+            Ok(None)
         }
     }
 }

@@ -161,9 +161,10 @@ fn gradient_of(loaded: &LoadedCase, known: &[&Contacts]) -> Result<LossGradient,
     let lubrication = stages.lubrication();
     let of_position = |at| {
         let row = stages.contacts.at(at)?;
-        match row.iter().any(|contact| contact.window.is_some()) {
-            true => lubrication.gradient(at, row).map(Some),
-            false => Ok(None),
+        if row.iter().any(|contact| contact.window.is_some()) {
+            lubrication.gradient(at, row).map(Some)
+        } else {
+            Ok(None)
         }
     };
     let found = numbered(par_map(&stages.mesh.positions, of_position))?;
@@ -546,9 +547,10 @@ mod tests {
                 let bump = |middle: usize| -> Vec<f64> {
                     let value = |i: usize| {
                         let off = 2.0 * dx * (i as f64 - middle as f64) / width;
-                        match off.abs() < 1.0 {
-                            true => 0.5 * (1.0 + (std::f64::consts::PI * off).cos()),
-                            false => 0.0,
+                        if off.abs() < 1.0 {
+                            0.5 * (1.0 + (std::f64::consts::PI * off).cos())
+                        } else {
+                            0.0
                         }
                     };
                     (0..n).map(value).collect()

@@ -4,7 +4,7 @@ use asperity_core::quantity::Pressure;
 
 use super::stages::on_flanks;
 use crate::contacts::running_in::{
-    Flow, Track, WearRates, heights, plastic, rates, removed, surfaces, tracks,
+    RunInFlow, Track, WearRates, heights, plastic, rates, removed, surfaces, tracks,
 };
 use crate::mesh::Mesh;
 use crate::result::{FlankHeights, RunInStep};
@@ -70,7 +70,7 @@ pub struct History {
 }
 
 /// Case and meshes of a history.
-struct Course<'a> {
+struct HistoryCourse<'a> {
     each: &'a dyn Fn(&HistoryState),
     case: &'a OperatingCase,
     /// Mesh at the torque of the case.
@@ -95,7 +95,7 @@ pub fn history(
     } = settings.plan;
     let running = (torque != case.torque).then(|| Mesh::at_torque(case, torque));
     let running = running.transpose().map_err(Box::new)?;
-    let course = Course {
+    let course = HistoryCourse {
         each,
         case,
         mesh: &mesh,
@@ -109,7 +109,7 @@ pub fn history(
     if is_worn {
         states.push(course.state(&found, [0.0; 2])?);
     }
-    let mut flow = Flow::new(case, found, settings.limit).map_err(Box::new)?;
+    let mut flow = RunInFlow::new(case, found, settings.limit).map_err(Box::new)?;
     let (steps, is_settled) = plastic(&mut flow, engagements, |steps, tracks| {
         // Every third doubling: the loss falls little in one.
         if is_worn && steps.len() % 3 == 1 {
@@ -186,9 +186,10 @@ fn package(
         Ok(changes.fold(0.0, f64::max))
     };
     let change = wear(wish)?;
-    let other = match change > PACKAGE {
-        true => wish * PACKAGE / change,
-        false => (wish * LITTLE / change).clamp(wish, most),
+    let other = if change > PACKAGE {
+        wish * PACKAGE / change
+    } else {
+        (wish * LITTLE / change).clamp(wish, most)
     };
     if other != wish {
         wear(other - wish)?;
@@ -196,7 +197,7 @@ fn package(
     Ok(other)
 }
 
-impl Course<'_> {
+impl HistoryCourse<'_> {
     /// The flanks of the tracks with film and loss, and the asperity share at each mesh position, at the torque of the case.
     fn state(
         &self,

@@ -41,9 +41,10 @@ impl OilFit {
                     doubts: self.doubts.clone(),
                     ..fitted
                 })?,
-            other_law: match self.is_law_decided {
-                true => None,
-                false => Some(by_other()?),
+            other_law: if self.is_law_decided {
+                None
+            } else {
+                Some(by_other()?)
             },
         })
     }

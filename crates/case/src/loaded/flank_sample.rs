@@ -28,14 +28,14 @@ pub(crate) struct Listed {
     /// Engagements until it was measured.
     pub engagements: Option<f64>,
     /// The trace, if it was generated.
-    pub generated: Option<Generated>,
+    pub generated: Option<GeneratedSample>,
     /// The scan that it is a row of, if this was read for its rows.
     pub scan: Option<Scan>,
 }
 
 /// A generated trace.
 #[derive(Debug, Clone)]
-pub(crate) struct Generated {
+pub(crate) struct GeneratedSample {
     /// Its heights, with the filters of the first measured trace.
     pub heights: Arc<HeldTrace>,
     pub record: GeneratedRecord,

@@ -46,7 +46,7 @@ impl Context<'_> {
         self,
         input: &FlankInput,
         file: &Path,
-        keys: &Keys,
+        keys: &FlankKeys,
     ) -> Result<Option<Scan>, CaseError> {
         // Keys that choose a line do not change the surface.
         let options = ReadOptions {
@@ -64,17 +64,17 @@ impl Context<'_> {
 }
 
 /// A flank, and the values of it that follow from others.
-pub(crate) type Known = (Flank, Vec<DefaultUsed>);
+pub(crate) type KnownTrace = (Flank, Vec<DefaultUsed>);
 
 /// Table of a flank in the case file, and the keys at which file and place of a trace are stated.
 #[derive(Clone)]
-pub(crate) struct Keys {
+pub(crate) struct FlankKeys {
     pub table: &'static str,
     pub file: Cow<'static, str>,
     pub at: Cow<'static, str>,
 }
 
-impl Keys {
+impl FlankKeys {
     /// The list of traces.
     pub(crate) fn traces(&self) -> Cow<'static, str> {
         format!("{}.traces", self.table).into()
@@ -82,16 +82,17 @@ impl Keys {
 }
 
 /// The keys of pinion and wheel; the wheel may use the trace of the pinion.
-pub(crate) fn keys_of(side: Side, wheel_has_its_own: bool) -> [Keys; 2] {
+pub(crate) fn keys_of(side: Side, wheel_has_its_own: bool) -> [FlankKeys; 2] {
     let tables = match side {
         Side::Drive => ["surface.pinion", "surface.wheel"],
         Side::Coast => ["surface.coast.pinion", "surface.coast.wheel"],
     };
-    let files = match wheel_has_its_own {
-        true => tables,
-        false => [tables[0]; 2],
+    let files = if wheel_has_its_own {
+        tables
+    } else {
+        [tables[0]; 2]
     };
-    [0, 1].map(|body: usize| Keys {
+    [0, 1].map(|body: usize| FlankKeys {
         table: tables[body],
         file: format!("{}.file", files[body]).into(),
         at: format!("{}.at", tables[body]).into(),
@@ -101,7 +102,7 @@ pub(crate) fn keys_of(side: Side, wheel_has_its_own: bool) -> [Keys; 2] {
 /// The traces that the keys of a flank name; a single one without a list.
 pub(crate) fn traces_of(
     input: &FlankInput,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
 ) -> Result<Vec<Listed>, CaseError> {
     let section = Section::new(context.source, keys.table);
@@ -131,10 +132,10 @@ pub(crate) fn traces_of(
 /// Reads and prepares a trace, or takes the roughness values of a flank without one.
 pub(crate) fn flank(
     listed: &Listed,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
-) -> Result<Known, CaseError> {
+) -> Result<KnownTrace, CaseError> {
     let section = Section::new(context.source, keys.table);
     let input = &listed.input;
     let value = input.rq.or(input.ra).or(input.rz);
@@ -174,7 +175,7 @@ pub(crate) fn flank(
     }
 }
 
-fn values(input: &FlankInput, section: Section<'_>) -> Result<Known, CaseError> {
+fn values(input: &FlankInput, section: Section<'_>) -> Result<KnownTrace, CaseError> {
     let checked = |key: &str, name, length: Option<Length>| {
         let checked = length.map(|length| DomainError::positive(name, length));
         checked.transpose().map_err(section.domain(key))
@@ -230,10 +231,10 @@ fn trace(
     listed: &Listed,
     name: &str,
     short: &str,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
-) -> Result<Known, CaseError> {
+) -> Result<KnownTrace, CaseError> {
     let (inputs, input) = (context.inputs, &listed.input);
     let gear = gear_of(keys.table);
     let mut source = Opened::new(listed, keys, context)?;
@@ -245,12 +246,11 @@ fn trace(
         place: stated_place(input.from, input.at, input.mirrored),
         filters: inputs.filters(),
         needed_of_scan: listed.scan.as_ref().map(|_| inputs.needed_length),
-        shortest_form: match inputs.has_form_of_trace(gear) {
-            false => None,
-            true => {
-                let shortest = inputs.shortest_form.clone();
-                shortest.map_err(|error| no_form(error, name, keys, context))?
-            }
+        shortest_form: if inputs.has_form_of_trace(gear) {
+            let shortest = inputs.shortest_form.clone();
+            shortest.map_err(|error| no_form(error, name, keys, context))?
+        } else {
+            None
         },
     };
     let prepared = prepared_trace(source.content(), of_trace, &inputs.gears, gear);
@@ -301,7 +301,7 @@ struct Opened {
 }
 
 impl Opened {
-    fn new(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Self, CaseError> {
+    fn new(listed: &Listed, keys: &FlankKeys, context: Context<'_>) -> Result<Self, CaseError> {
         if let Some(generated) = &listed.generated {
             return Ok(Self {
                 source: Err(Content::Heights(generated.heights.clone())),
@@ -342,7 +342,7 @@ impl Opened {
 }
 
 /// Values of the filters that a file states, or that follow from the place of its trace.
-fn stated(filters: &Filters, assumed_from: bool, file: &str, keys: &Keys) -> Vec<DefaultUsed> {
+fn stated(filters: &Filters, assumed_from: bool, file: &str, keys: &FlankKeys) -> Vec<DefaultUsed> {
     let mut stated: Vec<DefaultUsed> = Vec::new();
     for (key, of_file) in CUTOFFS.into_iter().zip(filters.of_file) {
         stated.extend(of_file.map(|of_file| DefaultUsed {
@@ -444,7 +444,7 @@ pub(crate) fn placed(
     error: TraceError,
     name: &str,
     short: &str,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
 ) -> CaseError {
     let source = context.source;
@@ -468,7 +468,7 @@ pub(crate) fn placed(
 }
 
 /// The error at the key of the relief of a gear, whose trace in `file` has no form.
-fn no_form(error: FormError, file: &str, keys: &Keys, context: Context<'_>) -> CaseError {
+fn no_form(error: FormError, file: &str, keys: &FlankKeys, context: Context<'_>) -> CaseError {
     let key = match gear_of(keys.table) {
         Gear::Pinion => "gears.pinion.relief",
         Gear::Wheel => "gears.wheel.relief",

@@ -202,13 +202,10 @@ impl GearboxInput {
             });
         }
         if parts.is_empty() {
-            let rule = match is_only(&places) {
-                true => {
-                    "names nothing that loses; give seals, bearings, jet or loss_table, or leave it out"
-                }
-                false => {
-                    "names nothing that loses; give seals, bearings, jets or tables, or leave it out"
-                }
+            let rule = if is_only(&places) {
+                "names nothing that loses; give seals, bearings, jet or loss_table, or leave it out"
+            } else {
+                "names nothing that loses; give seals, bearings, jets or tables, or leave it out"
             };
             return Err(section.conflict_of_key("", rule));
         }
@@ -237,12 +234,11 @@ impl GearboxInput {
             let kind = of_planet(stated, stage).map_err(refused)?;
             return Ok((train.stages[stage].gears[0], kind));
         }
-        let load = match is_only(places) {
-            true => Some(stated_load(stated).map_err(&refused)?),
-            false => {
-                without_load(stated).map_err(&refused)?;
-                None
-            }
+        let load = if is_only(places) {
+            Some(stated_load(stated).map_err(&refused)?)
+        } else {
+            without_load(stated).map_err(&refused)?;
+            None
         };
         let bearing = rolling_bearing(stated).map_err(&refused)?;
         let shaft = shaft_of(train, places, section, "bearings", on)?;
@@ -315,12 +311,15 @@ fn shaft_of(
     name: &str,
 ) -> Result<usize, CaseError> {
     let known = train.shafts.iter().position(|shaft| shaft.name == name);
-    known.ok_or_else(|| match is_only(places) {
-        true => section.value(
-            key,
-            format!("unknown choice \"{name}\", expected pinion or wheel"),
-        ),
-        false => section.conflict(key, "names a shaft that no mesh of the train has"),
+    known.ok_or_else(|| {
+        if is_only(places) {
+            section.value(
+                key,
+                format!("unknown choice \"{name}\", expected pinion or wheel"),
+            )
+        } else {
+            section.conflict(key, "names a shaft that no mesh of the train has")
+        }
     })
 }
 

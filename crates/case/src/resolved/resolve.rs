@@ -26,7 +26,7 @@ use super::calibrated;
 use super::gearbox::Gearbox;
 use super::gears::{gears, load_settings, micro_geometry, note_relief};
 use super::load_inputs::LoadInputs;
-use super::oil_at::OilAt;
+use super::oil_at::OilAtTemperature;
 use super::oil_file::OilFile;
 use super::overrides::Overrides;
 use super::plausibility::{at_pitch_point, refuse_stiff_oil};
@@ -228,7 +228,7 @@ pub(crate) struct Completed {
     pub case: Case,
     pub teeth: SolvedTeeth,
     /// The oil at the temperature that the case states.
-    pub oil: OilAt,
+    pub oil: OilAtTemperature,
 }
 
 /// What the files of a case add to its keys.
@@ -395,7 +395,11 @@ impl Case {
     }
 
     /// The oil at another temperature than the case states.
-    pub(crate) fn oil_at(&self, at: Temperature, source: &Source) -> Result<OilAt, CaseError> {
+    pub(crate) fn oil_at(
+        &self,
+        at: Temperature,
+        source: &Source,
+    ) -> Result<OilAtTemperature, CaseError> {
         let operation = &self.input.operation;
         let lubricant_at = |error| lubricant_at(source, operation, error);
         let file = self.oil_file.as_deref();
@@ -496,11 +500,11 @@ fn film_oil(
     (model, of_file): (&Model, (&CaseInput, Option<&OilFile>)),
     bulk: Temperature,
     source: &Source,
-) -> Result<OilAt, CaseError> {
+) -> Result<OilAtTemperature, CaseError> {
     let (state, notes) = (oil.value, oil.outside);
     if model.film_friction.shear_law().is_none() && !model.shears_its_film() {
         without_film_friction(of_file.0, source)?;
-        return Ok(OilAt {
+        return Ok(OilAtTemperature {
             state,
             rheology: None,
             notes,
@@ -509,7 +513,7 @@ fn film_oil(
     let lubricant_at = |error| lubricant_at(source, &of_file.0.operation, error);
     let rheology = rheology(lubricant, model, bulk, of_file).map_err(lubricant_at)?;
     let of_film = rheology.state(bulk).map_err(lubricant_at)?;
-    Ok(OilAt {
+    Ok(OilAtTemperature {
         state: LubricantState {
             pressure_viscosity: of_film.pressure_viscosity,
             thermal_conductivity: of_film.conductivity,
@@ -710,9 +714,10 @@ fn lubricant_at(source: &Source, operation: &OperationInput, error: LubricantErr
     match error {
         LubricantError::Domain(error) => {
             let key = key_of("lubricant", error.name);
-            let key = match TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key) {
-                true => operation.temperature_key().into(),
-                false => key,
+            let key = if TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key) {
+                operation.temperature_key().into()
+            } else {
+                key
             };
             domain(source, key)(error)
         }

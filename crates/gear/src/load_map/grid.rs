@@ -1,6 +1,6 @@
 //! Division of the lines of contact at a phase into cells of the face width.
 
-use super::coupled::{Cell, ContactLine, LEAST_COVER};
+use super::coupled::{ContactLine, CoupledCell, LEAST_COVER};
 use crate::edge_contact::TipGaps;
 use crate::pair::GearPair;
 use crate::pair_compliance::PairCompliance;
@@ -8,7 +8,7 @@ use crate::relief::Separation;
 
 /// Data for filling the cells.
 #[derive(Debug, Clone)]
-pub(crate) struct Grid {
+pub(crate) struct LoadGrid {
     pub(crate) compliance: PairCompliance,
     pub(crate) separation: Separation,
     /// Gaps of the tip edges outside the path; `None` without tip edge contact.
@@ -19,7 +19,7 @@ pub(crate) struct Grid {
     pub(crate) mean_load: f64,
 }
 
-impl Grid {
+impl LoadGrid {
     /// Length beyond each end of the path in which tip edges may be in contact, in base pitches.
     pub(crate) fn reach(&self) -> f64 {
         self.edges
@@ -91,19 +91,19 @@ impl Grid {
         }
     }
 
-    fn cell(&self, pair: &GearPair, xi: f64, across: f64, cover: f64, tooth: i64) -> Cell {
+    fn cell(&self, pair: &GearPair, xi: f64, across: f64, cover: f64, tooth: i64) -> CoupledCell {
         let mut separation = self.separation.at(xi, across, tooth);
         if let Some(edges) = &self.edges {
             separation += edges.at(pair, xi);
         }
-        Cell {
+        CoupledCell {
             xi,
             across,
             cover,
             separation,
             root_bending: self.compliance.bending(xi).sqrt(),
             flattening: self.compliance.flattening(pair, xi, self.mean_load),
-            ..Cell::default()
+            ..CoupledCell::default()
         }
     }
 }

@@ -70,7 +70,7 @@ impl Unevenness {
 }
 
 /// Returns the line number and text of a row, counted from 0 in the order of the file.
-pub(super) type Place<'a> = dyn FnMut(usize) -> Result<(usize, String), ReadFault> + 'a;
+pub(super) type GridPlace<'a> = dyn FnMut(usize) -> Result<(usize, String), ReadFault> + 'a;
 
 /// Returns an error for fewer points than a profile requires.
 pub(super) fn enough(points: usize) -> Result<(), ReadFault> {
@@ -92,9 +92,10 @@ pub(super) fn enough_of_line(
         TraceLine::Mean => TraceLine::MeanColumn,
         TraceLine::MeanColumn => TraceLine::Mean,
     };
-    match points < FEWEST_POINTS && across >= FEWEST_POINTS {
-        true => Err(ReadFault::lines_too_short(points, other)),
-        false => Ok(()),
+    if points < FEWEST_POINTS && across >= FEWEST_POINTS {
+        Err(ReadFault::lines_too_short(points, other))
+    } else {
+        Ok(())
     }
 }
 
@@ -110,13 +111,14 @@ pub(super) fn chosen_row(
 }
 
 /// Checks order and evenness of x and returns its spacing. A descending x is reversed.
-pub(super) fn spacing(x: &mut [f64], place: &mut Place<'_>) -> Result<Spacing, ReadFault> {
+pub(super) fn spacing(x: &mut [f64], place: &mut GridPlace<'_>) -> Result<Spacing, ReadFault> {
     let (first, last) = (x[0], x[x.len() - 1]);
     let falls = last < first;
     let mut pairs = x.windows(2);
-    let turn = match falls {
-        false => pairs.position(|pair| pair[1] < pair[0]),
-        true => pairs.position(|pair| pair[1] > pair[0]),
+    let turn = if falls {
+        pairs.position(|pair| pair[1] > pair[0])
+    } else {
+        pairs.position(|pair| pair[1] < pair[0])
     };
     // A trace that ends at its start must change its direction.
     let is_closed = (last == first).then_some(0);
@@ -156,9 +158,10 @@ pub(super) fn unevenness(x: &[f64]) -> Option<(usize, Unevenness)> {
     let steps = || x.windows(2).map(|pair| pair[1] - pair[0]);
     let larger = |most: f64, value: f64| if value > most { value } else { most };
     // Lost rows cause a step of at least 1.5 mean steps; only then are they searched for.
-    let lost = match steps().fold(0.0, larger) > 1.5 * mean {
-        true => lost_rows(x),
-        false => None,
+    let lost = if steps().fold(0.0, larger) > 1.5 * mean {
+        lost_rows(x)
+    } else {
+        None
     };
     let grid = |at: usize| x[0] + mean * at as f64;
     let offs = x.iter().enumerate().map(|(at, x)| (x - grid(at)).abs());

@@ -10,7 +10,7 @@ use crate::form::Form;
 use crate::gaussian_filter::{Ends, mean_line};
 use crate::generate::Random;
 
-use super::fit::{BOW, Fit, HEIGHT, MIDDLE, STRETCH, TILT};
+use super::fit::{BOW, HEIGHT, MIDDLE, RelocationFit, STRETCH, TILT};
 use super::noise::Noise;
 use super::placed::placed;
 use super::rise::{self, MOVED};
@@ -132,9 +132,10 @@ impl Relocation {
         let after: Vec<f64> = points.clone().map(on_first).collect();
         let before = before.heights().get(points).unwrap_or_default().to_vec();
         let mut pairs = before.iter().zip(&after);
-        let after = match pairs.all(|(a, b)| (a - b).abs() < LEAST_CHANGE) {
-            true => before.clone(),
-            false => after,
+        let after = if pairs.all(|(a, b)| (a - b).abs() < LEAST_CHANGE) {
+            before.clone()
+        } else {
+            after
         };
         let both = [before, after].map(|heights| Profile::new(Length::from_si(dx), heights));
         let [before, after] = both;
@@ -176,7 +177,7 @@ pub fn relocate(before: &Profile, after: &Profile, bounds: Bounds) -> Result<Rel
 }
 
 fn relocation(
-    fit: &Fit,
+    fit: &RelocationFit,
     first: &Trace,
     second: &Trace,
     correlation: f64,

@@ -24,7 +24,7 @@ use serde::de::IntoDeserializer;
 use serde::{Deserialize, Serialize};
 
 use super::pairs::TracePair;
-use super::wear::{AtPlace, Coefficient, Severity, coefficient};
+use super::wear::{AtPlace, Severity, WearCoefficient, coefficient};
 
 /// Cubic millimetres per newton metre in 1/Pa.
 const MM3_PER_N_M: f64 = 1e9;
@@ -405,9 +405,10 @@ fn place_of(case: &LoadedCase, flank: WornFlank, report: &FlankReport) -> Option
         direction
     };
     let dropped = report.preparation.as_ref()?.dropped_each_end;
-    let index = match report.mirrored {
-        true => trace.len() - 1 - dropped,
-        false => dropped,
+    let index = if report.mirrored {
+        trace.len() - 1 - dropped
+    } else {
+        dropped
     };
     let arc = first.si() * first.si() / (2.0 * base);
     Some([arc - growth * trace.spacing().si() * index as f64, growth])
@@ -434,9 +435,10 @@ impl OnFlank<'_> {
             ..FlankPlaceInput::default()
         });
         let from = self.place.map(|[_, growth]| {
-            match growth == gears.arc_towards_tip(self.flank.gear()) {
-                true => TraceStart::Root,
-                false => TraceStart::Tip,
+            if growth == gears.arc_towards_tip(self.flank.gear()) {
+                TraceStart::Root
+            } else {
+                TraceStart::Tip
             }
         });
         let (tooth, y) = self.site;
@@ -570,9 +572,9 @@ fn flank_change(
     let wear = of_gear.map(|count| coefficient(&removed, &places, count));
     let wear = wear.transpose()?;
     let (found, most) = match wear {
-        Some(Coefficient::Found(k)) => (Some(k.map(|k| MM3_PER_N_M * k)), None),
-        Some(Coefficient::AtMost(k)) => (None, Some(MM3_PER_N_M * k)),
-        Some(Coefficient::Gained) | None => (None, None),
+        Some(WearCoefficient::Found(k)) => (Some(k.map(|k| MM3_PER_N_M * k)), None),
+        Some(WearCoefficient::AtMost(k)) => (None, Some(MM3_PER_N_M * k)),
+        Some(WearCoefficient::Gained) | None => (None, None),
     };
     let hardness = case.flow_pressure[flank as usize].si();
     let times_hardness = |k: f64| k / MM3_PER_N_M * hardness;

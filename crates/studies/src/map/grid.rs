@@ -22,8 +22,8 @@ use asperity_core::{Code, Estimate, Fault, PROGRAM};
 use super::axes::Axes;
 use super::draws::{Beside, Drawn, DrawnNodes, MapBand, Nodes};
 use super::evaluation::{
-    Evaluated, EvaluatedMesh, RunInFlanks, at_torque, computed_speed, computed_speeds, evaluate,
-    gearbox_of, resolved_from, torque_of,
+    EvaluatedMesh, EvaluatedPoint, FlanksOfTorques, at_torque, computed_speed, computed_speeds,
+    evaluate, gearbox_of, resolved_from, torque_of,
 };
 use super::point::{EXTENDED, FinishMap, Map, MapWarning, MeshPart, Numbers, Point, ranges};
 use crate::compare::{Finish, differs_by_flanks, files};
@@ -185,10 +185,7 @@ impl Sides {
             })
         };
         let drive = resolved(1.0)?;
-        let coast = match has_coast {
-            true => resolved(-1.0)?,
-            false => drive,
-        };
+        let coast = if has_coast { resolved(-1.0)? } else { drive };
         let differ = has_coast || train.shafting.passes_losses;
         let from = [drive, coast];
         let mut torques = [Vec::new(), Vec::new()];
@@ -212,7 +209,7 @@ impl Sides {
 }
 
 /// Evaluated points by side and bits of the torque.
-type Computed = BTreeMap<(usize, u64), Vec<Result<Evaluated, Code>>>;
+type Computed = BTreeMap<(usize, u64), Vec<Result<EvaluatedPoint, Code>>>;
 
 fn of_finish(
     finish: &Finish<Train>,
@@ -228,7 +225,7 @@ fn of_finish(
         .each_ref()
         .map(|torques| Nodes::new(band, torques, axes));
     let mut computed = Computed::new();
-    let mut run_in = RunInFlanks::new();
+    let mut run_in = FlanksOfTorques::new();
     for (side, torque) in sides.torques() {
         let sign = if side == 1 { -1.0 } else { 1.0 };
         let nodes = (speeds, axes.temperature_c.as_slice());
@@ -398,13 +395,16 @@ fn point(
         point.outside.push(EXTENDED.to_owned());
     }
     let computed_at = if side == 1 { -at } else { at };
-    let at_torque = |mesh: &EvaluatedMesh| match is_extended {
-        true => extended(mesh, evaluated.omega, torque_nm, at),
-        false => numbers(
-            mesh,
-            evaluated.omega,
-            (torque_nm < 0.0) != (computed_at < 0.0),
-        ),
+    let at_torque = |mesh: &EvaluatedMesh| {
+        if is_extended {
+            extended(mesh, evaluated.omega, torque_nm, at)
+        } else {
+            numbers(
+                mesh,
+                evaluated.omega,
+                (torque_nm < 0.0) != (computed_at < 0.0),
+            )
+        }
     };
     let of_mesh = |mesh: &EvaluatedMesh| {
         let of_run = match &mesh.lowered {
@@ -437,7 +437,7 @@ fn point(
 }
 
 /// Inputs out of range in the meshes, with the name of the mesh in a train.
-fn outside(train: &Train, evaluated: &Evaluated) -> Vec<String> {
+fn outside(train: &Train, evaluated: &EvaluatedPoint) -> Vec<String> {
     let meshes = train.meshes().zip(&evaluated.meshes);
     let of_mesh = |(mesh, evaluated): (&LoadedMesh, &EvaluatedMesh)| {
         let marks = evaluated.losses.outside.iter().map(ToString::to_string);
@@ -454,9 +454,10 @@ fn outside(train: &Train, evaluated: &Evaluated) -> Vec<String> {
 /// Power into a pair of gears \[W\].
 fn pinion_w(n: &Numbers, omega: f64, torque_nm: f64) -> f64 {
     let pinion = torque_nm.abs() * omega;
-    match torque_nm < 0.0 {
-        true => pinion + n.loss_w,
-        false => pinion,
+    if torque_nm < 0.0 {
+        pinion + n.loss_w
+    } else {
+        pinion
     }
 }
 
@@ -475,19 +476,18 @@ fn together(
     let losses = of_meshes.iter().map(|mesh| Power::from_si(mesh.loss_w));
     let losses: Vec<Power> = losses.collect();
     let loss_w = train.loss(&losses).si();
-    let power_in_w = match torque_nm == 0.0 {
-        true => 0.0,
-        false => {
-            let load = MeshLoad {
-                torque: torque_of(torque_nm),
-                speed: AngularSpeed::from_si(omega),
-            };
-            train
-                .shafting
-                .at(load)
-                .power_in(&train.by_stage(&losses))?
-                .si()
-        }
+    let power_in_w = if torque_nm == 0.0 {
+        0.0
+    } else {
+        let load = MeshLoad {
+            torque: torque_of(torque_nm),
+            speed: AngularSpeed::from_si(omega),
+        };
+        train
+            .shafting
+            .at(load)
+            .power_in(&train.by_stage(&losses))?
+            .si()
     };
     let deviations = of_meshes.iter().zip(&counts);
     let square =
@@ -598,9 +598,12 @@ fn extended(evaluated: &EvaluatedMesh, omega: f64, torque_nm: f64, at: f64) -> N
     let count = losses.len() as f64;
     let loss_w = losses.iter().sum::<f64>() / count;
     let pinion_w = torque_nm.abs() * omega;
-    let efficiency_of = |loss: &f64| match torque_nm < 0.0 {
-        true => 1.0 - loss / (pinion_w + loss),
-        false => 1.0 - loss / pinion_w,
+    let efficiency_of = |loss: &f64| {
+        if torque_nm < 0.0 {
+            1.0 - loss / (pinion_w + loss)
+        } else {
+            1.0 - loss / pinion_w
+        }
     };
     let efficiencies: Vec<f64> = losses
         .iter()
@@ -674,7 +677,7 @@ mod tests {
     /// Code of the point at `torque_nm` and 3000 1/min whose losses at 40 N m have a fault.
     fn code(
         train: &Train,
-        whole: &Evaluated,
+        whole: &EvaluatedPoint,
         torque_nm: f64,
         fault: fn(&mut EvaluatedMesh),
     ) -> Option<Code> {
@@ -705,7 +708,7 @@ mod tests {
         let train = Train::from(case.unwrap());
         let mut found = evaluate(
             &train,
-            (torque, &mut RunInFlanks::new()),
+            (torque, &mut FlanksOfTorques::new()),
             places,
             &|_, _| false,
             &|| (),

@@ -110,10 +110,7 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     progress(3, STEPS);
     checkpoint()?;
     let cases = [&before, &after].map(|found| (&found.case, &found.contacts));
-    let draws = match band {
-        true => ChangeDraws::new(cases)?,
-        false => None,
-    };
+    let draws = if band { ChangeDraws::new(cases)? } else { None };
     progress(4, STEPS);
     checkpoint()?;
     let along = [along_before, along_half, along_after];
@@ -123,9 +120,12 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     };
     progress(STEPS, STEPS);
     let base = (&before.case, &before.losses);
-    let sampled = |by_window: &[f64]| match band {
-        true => sampling_interval(base.0, base.1, by_window),
-        false => None,
+    let sampled = |by_window: &[f64]| {
+        if band {
+            sampling_interval(base.0, base.1, by_window)
+        } else {
+            None
+        }
     };
     let quantiles = |by_window: &[f64], by_lay: [f64; 2]| match &draws {
         Some(draws) => Some(draws.quantiles(base.0, base.1, by_window, by_lay)),
@@ -316,9 +316,10 @@ fn by_lay(
     let all = |watts: &[f64]| watts.iter().sum::<f64>();
     let ratio = |k: usize, end: &[f64]| {
         let whole = offsets as f64 * rows[k].first_order_w;
-        match middle[k] > COVERED * whole {
-            true => end[k] / middle[k] / (all(end) / all(&middle)),
-            false => 1.0,
+        if middle[k] > COVERED * whole {
+            end[k] / middle[k] / (all(end) / all(&middle))
+        } else {
+            1.0
         }
     };
     let both = |k: usize| ends.each_ref().map(|end| ratio(k, end));

@@ -200,9 +200,10 @@ impl StudySettings for RunningInSettings {
 /// which do not run in.
 fn by_rows(case: LoadedCase) -> Result<LoadedCase, Fault> {
     let is_by_lay = case.case.input.surface.contact.is_none() && case.surfaces.sheets().is_some();
-    match is_by_lay {
-        true => Ok(case.with(|input| input.surface.contact = Some(ContactName::Lines))?),
-        false => Ok(case),
+    if is_by_lay {
+        Ok(case.with(|input| input.surface.contact = Some(ContactName::Lines))?)
+    } else {
+        Ok(case)
     }
 }
 

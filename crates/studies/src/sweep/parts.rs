@@ -15,7 +15,7 @@ use super::study::{LARGEST_TABLE, Study};
 use crate::map::ranges;
 
 /// Rows by the numbers of their cases: the cells of a row as text.
-pub(super) type Rows = BTreeMap<usize, Vec<String>>;
+pub(super) type CaseRows = BTreeMap<usize, Vec<String>>;
 
 /// Progress of a study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -122,7 +122,7 @@ pub(super) fn close(
     list: &CaseList,
     shard: usize,
     shards: usize,
-    rows: &mut Rows,
+    rows: &mut CaseRows,
     folder: &Path,
 ) -> Result<(), SweepError> {
     let Some(first) = rows.keys().next().copied() else {
@@ -196,10 +196,10 @@ pub(super) fn read(
     study: &Study,
     list: &CaseList,
     folder: &Path,
-) -> Result<(Rows, usize), SweepError> {
+) -> Result<(CaseRows, usize), SweepError> {
     let files = files_in(&folder_of_parts(study, folder));
     let expected = (header(study, list), list.count());
-    let mut rows = Rows::new();
+    let mut rows = CaseRows::new();
     for path in &files {
         read_part(path, study, &expected.0, expected.1, &mut rows)?;
     }
@@ -211,7 +211,7 @@ fn read_part(
     study: &Study,
     expected: &[String],
     count: usize,
-    rows: &mut Rows,
+    rows: &mut CaseRows,
 ) -> Result<(), SweepError> {
     let refused = |reason: String| SweepError::Part {
         path: path.to_owned(),

@@ -50,9 +50,10 @@ impl StudyResult for Merged {
         let has_indices = self.effects.iter().any(|row| row.indices.is_some());
         let outside = self.outside.iter().map(|(code, count)| {
             let title = explain(code).map_or("", |entry| entry.title);
-            let count = match *count == self.cases {
-                true => format!("all {count}"),
-                false => count.to_string(),
+            let count = if *count == self.cases {
+                format!("all {count}")
+            } else {
+                count.to_string()
             };
             format!("{code} in {count} cases: {title}. A run of a case has the details.")
         });
@@ -63,10 +64,7 @@ impl StudyResult for Merged {
         let has_watts = self.outputs.iter().any(|(name, _)| name.ends_with("_w"));
         let charts = axes(self);
         let is_drawn = self.ends(LOSS).is_some();
-        let over_axes = match is_drawn {
-            true => OVER_AXES_DRAWN,
-            false => OVER_AXES,
-        };
+        let over_axes = if is_drawn { OVER_AXES_DRAWN } else { OVER_AXES };
         let over_axes = (!charts.is_empty()).then_some(over_axes);
         let mut bars = charts.iter();
         let in_bars = bars.any(|chart| matches!(chart, Drawing::Tornado(_)));

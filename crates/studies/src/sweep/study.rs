@@ -6,7 +6,7 @@ use asperity::case::{FileSums, Train};
 use asperity::fingerprint::Fingerprint;
 use asperity_storage::{whole_file, whole_text};
 
-use super::axes::Axes;
+use super::axes::SweepAxes;
 use super::error::{SweepError, unopened};
 use super::study_input::StudyInput;
 
@@ -30,7 +30,7 @@ pub struct Study {
     pub hash: String,
     /// Folder of the study.
     pub folder: PathBuf,
-    pub(super) axes: Axes,
+    pub(super) axes: SweepAxes,
     /// Table of the sample, if it is a list.
     pub(super) table: Option<Vec<u8>>,
     /// Hashes of the files that any case of the study reads.
@@ -95,7 +95,7 @@ impl Study {
                 Some(bytes.map_err(|source| unopened(&path, source))?)
             }
         };
-        let axes = Axes::from_input(&input)?;
+        let axes = SweepAxes::from_input(&input)?;
         let sums = axes.files(&case);
         let mut hash = Fingerprint::default()
             .with(text)

@@ -21,7 +21,7 @@ use asperity_case::error::PositionError;
 const AT_ONCE: usize = 8;
 
 /// Tracks whose flanks flow.
-pub(crate) struct Flow<'a> {
+pub(crate) struct RunInFlow<'a> {
     case: &'a Case,
     tracks: Vec<Track<'a>>,
     /// Contacts made on each track.
@@ -32,7 +32,7 @@ pub(crate) struct Flow<'a> {
     shares: [f64; 2],
 }
 
-impl<'a> Flow<'a> {
+impl<'a> RunInFlow<'a> {
     /// Flanks of a case that flow at `limit`.
     pub fn new(
         case: &'a Case,
