@@ -4,13 +4,34 @@ use asperity_core::cite;
 use asperity_core::numerics::mean;
 use nalgebra::{DMatrix, DVector};
 
-use super::lots::{PAIRS, Values};
-use super::study::RunLot;
+use super::lots::{Lot, PAIRS, Values};
 
 /// Constants of the regression.
 const CONSTANTS: usize = 4;
 /// Variance of the logarithm of a parameter below which it does not differ.
 const LEAST: f64 = 1e-9;
+
+/// A lot whose first pair was run.
+pub(super) struct RunLot {
+    pub lot: Lot,
+    /// Loss of the pair at the height of the curve \[W\].
+    pub loss_w: f64,
+    /// Its loss at the height of the recipe \[W\], of some lots.
+    pub present_w: Option<f64>,
+}
+
+#[cfg(test)]
+impl RunLot {
+    /// A lot without inspected traces.
+    pub(super) fn new(pairs: Vec<Values>, loss_w: f64) -> Self {
+        let inspected = Vec::new();
+        Self {
+            lot: Lot { inspected, pairs },
+            loss_w,
+            present_w: None,
+        }
+    }
+}
 
 /// ℓ_k1 = a + b·f_k1 + e_k,  L_k = a + b·⟨f_k⟩ + √(K/(K − 4)) e_k/√16                    `[Call-out-pairs]`
 ///
@@ -18,8 +39,8 @@ const LEAST: f64 = 1e-9;
 /// both flanks), ⟨f_k⟩ their mean over the 16 pairs, and a, b the regression over the K lots by least squares. The rest e_k of one
 /// pair stands for the mean over the rests of 16: it has √16 times its standard deviation, and 4 constants are fitted.
 ///
-/// Returns the mean loss of the pairs of each lot, L_k, and the standard error that their mean over the lots has beyond the scatter of the
-/// L_k \[W\], by the rests of the pairs that were run.
+/// Returns the mean loss of the pairs of each lot, L_k, and the standard error that their mean over the lots has beyond the
+/// scatter of the L_k \[W\], by the rests of the pairs that were run.
 pub(super) fn losses_of_lots(run: &[RunLot]) -> (Vec<f64>, f64) {
     cite!("Call-out-pairs");
     let count = run.len() as f64;

@@ -16,8 +16,8 @@ use asperity_report::{StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
 use super::error;
-use super::lots::{Batch, Lot, OFFSETS, Process, RoughnessParameter, TOGETHER, Values};
-use super::pair_losses::losses_of_lots;
+use super::lots::{Batch, OFFSETS, Process, RoughnessParameter, TOGETHER, Values};
+use super::pair_losses::{RunLot, losses_of_lots};
 use super::target::LossTarget;
 
 /// Most traces to inspect.
@@ -513,28 +513,6 @@ impl Curve {
             loss_p95_w: of_lots(*ln, low),
         };
         self.nodes.iter().map(point).collect()
-    }
-}
-
-/// A lot whose first pair was run.
-pub(super) struct RunLot {
-    pub lot: Lot,
-    /// Loss of the pair at the height of the curve \[W\].
-    pub loss_w: f64,
-    /// Its loss at the height of the recipe \[W\], of some lots.
-    present_w: Option<f64>,
-}
-
-#[cfg(test)]
-impl RunLot {
-    /// A lot without inspected traces.
-    pub(super) fn new(pairs: Vec<Values>, loss_w: f64) -> Self {
-        let inspected = Vec::new();
-        Self {
-            lot: Lot { inspected, pairs },
-            loss_w,
-            present_w: None,
-        }
     }
 }
 
