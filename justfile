@@ -4,13 +4,14 @@
 run case="fixtures/cases/e-drive.toml":
     cargo run --release -- run {{ case }}
 
-# The tests of the workspace.
+# The tests of the workspace, but the slow ones.
 test:
     cargo test --workspace
 
-# The same, those of the dense reference solver among them, as every night.
+# All tests, those of the dense reference solver among them, as every night.
 test-all:
     cargo test --workspace --locked --features asperity-ehl/oracle
+    cargo test --workspace --locked --features asperity-ehl/oracle --tests -- --ignored slow_
 
 # Format, lint, tests, documentation: what must hold before a change lands.
 ci:
@@ -27,7 +28,7 @@ references python="python3":
 # Make all pictures of README and documents anew: the paper's figures, and those that tests take from pages or draw.
 pictures:
     cargo run --release -- figures -o docs/figures
-    ASPERITY_WRITE=1 cargo test -p asperity-tests --test cli --test validation -- picture
+    ASPERITY_WRITE=1 cargo test -p asperity-tests --test cli --test validation -- --include-ignored picture
 
 # Benches; the table of results is in docs/PERFORMANCE.md.
 bench:

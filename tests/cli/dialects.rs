@@ -165,7 +165,8 @@ file = "table.csv"
 "#;
 
 #[test]
-fn every_command_reads_one_table_in_every_dialect() {
+#[ignore = "slow: just test-all"]
+fn slow_every_command_reads_one_table_in_every_dialect() {
     let bench = Bench::new();
     bench.write_flanks();
     let quick = "positions = 2\noffsets = 1\nload_share = \"lambda-star\"\n";

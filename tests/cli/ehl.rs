@@ -181,7 +181,8 @@ fn several_records_are_averaged_and_a_page_plays_their_film() {
 }
 
 #[test]
-fn flanks_can_have_run_in() {
+#[ignore = "slow: just test-all"]
+fn slow_flanks_can_have_run_in() {
     let bench = bench();
     let options = [
         "ehl",

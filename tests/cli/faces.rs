@@ -335,7 +335,8 @@ fn agree(bench: &Bench, folder: &str, name: &str, said: &str) -> usize {
 }
 
 #[test]
-fn the_pages_of_runs_are_in_plain_sentences() {
+#[ignore = "slow: just test-all"]
+fn slow_the_pages_of_runs_are_in_plain_sentences() {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);
@@ -405,7 +406,8 @@ fn stribeck() -> String {
 }
 
 #[test]
-fn every_study_has_one_value_on_every_face() {
+#[ignore = "slow: just test-all"]
+fn slow_every_study_has_one_value_on_every_face() {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);

@@ -32,7 +32,8 @@ const PICTURES: [(&str, &str, &str); 11] = [
 ];
 
 #[test]
-fn pages_of_the_demo_print_what_they_show_and_their_pictures_are_drawn() {
+#[ignore = "slow: just test-all"]
+fn slow_pages_of_the_demo_print_what_they_show_and_their_pictures_are_drawn() {
     let bench = bench();
     holds("README.md", &bench, 10);
     let read = |page: &str| fs::read_to_string(bench.path("results").join(page)).unwrap();

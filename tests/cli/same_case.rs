@@ -552,7 +552,8 @@ fn one_loss_of_a_map(bench: &Bench, case: &str, [torque, speed]: [f64; 2], more:
 const FEW: [&str; 4] = ["--set", "model.positions=4", "--set", "model.offsets=4"];
 
 #[test]
-fn every_face_of_a_pair_states_one_loss() {
+#[ignore = "slow: just test-all"]
+fn slow_every_face_of_a_pair_states_one_loss() {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);
@@ -572,7 +573,8 @@ fn every_face_of_a_pair_states_one_loss() {
 }
 
 #[test]
-fn every_face_of_areal_windows_states_one_loss() {
+#[ignore = "slow: just test-all"]
+fn slow_every_face_of_areal_windows_states_one_loss() {
     let bench = Bench::new();
     let rows: Vec<Vec<f64>> = (0..24)
         .map(|row| heights(1500 + 40 * row)[40 * row..].to_vec())
@@ -596,7 +598,8 @@ fn every_face_of_areal_windows_states_one_loss() {
 }
 
 #[test]
-fn every_face_of_a_train_states_one_loss() {
+#[ignore = "slow: just test-all"]
+fn slow_every_face_of_a_train_states_one_loss() {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", crate::gear::TRAIN);
@@ -605,7 +608,8 @@ fn every_face_of_a_train_states_one_loss() {
 }
 
 #[test]
-fn every_face_of_reference_solutions_states_one_loss_at_its_lay() {
+#[ignore = "slow: just test-all"]
+fn slow_every_face_of_reference_solutions_states_one_loss_at_its_lay() {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);

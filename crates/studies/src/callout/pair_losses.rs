@@ -11,25 +11,47 @@ const CONSTANTS: usize = 4;
 /// Variance of the logarithm of a parameter below which it does not differ.
 const LEAST: f64 = 1e-9;
 
+/// A lot whose first pair was run.
+pub(super) struct RunLot {
+    pub lot: Lot,
+    /// Loss of the pair at the height of the curve \[W\].
+    pub loss_w: f64,
+    /// Its loss at the height of the recipe \[W\], of some lots.
+    pub present_w: Option<f64>,
+}
+
+#[cfg(test)]
+impl RunLot {
+    /// A lot without inspected traces.
+    pub(super) fn new(pairs: Vec<Values>, loss_w: f64) -> Self {
+        let inspected = Vec::new();
+        Self {
+            lot: Lot { inspected, pairs },
+            loss_w,
+            present_w: None,
+        }
+    }
+}
+
 /// ℓ_k1 = a + b·f_k1 + e_k,  L_k = a + b·⟨f_k⟩ + √(K/(K − 4)) e_k/√16                    `[Call-out-pairs]`
 ///
 /// ℓ_k1 \[W\] is the loss of the first pair of lot k, f_kp the logarithms of Rpk, Rq and Rdq of its pair p (root mean squares of
 /// both flanks), ⟨f_k⟩ their mean over the 16 pairs, and a, b the regression over the K lots by least squares. The rest e_k of one
 /// pair stands for the mean over the rests of 16: it has √16 times its standard deviation, and 4 constants are fitted.
 ///
-/// Returns the mean loss of the pairs of each lot, L_k, and the standard error that their mean over the lots has beyond the scatter of the
-/// L_k \[W\], by the rests of the pairs that were run.
-pub(super) fn losses_of_lots(lots: &[Lot], of_first: &[f64]) -> (Vec<f64>, f64) {
+/// Returns the mean loss of the pairs of each lot, L_k, and the standard error that their mean over the lots has beyond the
+/// scatter of the L_k \[W\], by the rests of the pairs that were run.
+pub(super) fn losses_of_lots(run: &[RunLot]) -> (Vec<f64>, f64) {
     cite!("Call-out-pairs");
-    let count = lots.len() as f64;
-    let first: Vec<Values> = lots.iter().map(|lot| lot.pairs[0]).collect();
+    let count = run.len() as f64;
+    let first: Vec<Values> = run.iter().map(|run| run.lot.pairs[0]).collect();
     let centre = [0, 1, 2].map(|k| mean(first.iter().map(|values| values[k])));
     let row = |values: Values| {
         let [b, c, d] = [0, 1, 2].map(|k| values[k] - centre[k]);
         [1.0, b, c, d]
     };
-    let rows = DMatrix::from_fn(lots.len(), CONSTANTS, |k, i| row(first[k])[i]);
-    let losses = DVector::from_column_slice(of_first);
+    let rows = DMatrix::from_fn(run.len(), CONSTANTS, |k, i| row(first[k])[i]);
+    let losses = DVector::from_iterator(run.len(), run.iter().map(|run| run.loss_w));
     let normal = rows.tr_mul(&rows).symmetric_eigen();
     // Parameters that do not differ have no coefficient.
     let inverse = |value: f64| {
@@ -43,12 +65,12 @@ pub(super) fn losses_of_lots(lots: &[Lot], of_first: &[f64]) -> (Vec<f64>, f64) 
     let constants = &normal.eigenvectors * normal.eigenvalues.map(inverse).component_mul(&along);
     let rests = &losses - rows * &constants;
     let fitted = (count / (count - CONSTANTS as f64)).sqrt();
-    let of_lot = |(lot, rest): (&Lot, &f64)| {
-        let means = [0, 1, 2].map(|k| mean(lot.pairs.iter().map(|values| values[k])));
+    let of_lot = |(run, rest): (&RunLot, &f64)| {
+        let means = [0, 1, 2].map(|k| mean(run.lot.pairs.iter().map(|values| values[k])));
         let predicted = row(means).into_iter().zip(&constants).map(|(z, b)| z * b);
         predicted.sum::<f64>() + fitted * rest / (PAIRS as f64).sqrt()
     };
-    let found = lots.iter().zip(&rests).map(of_lot).collect();
+    let found = run.iter().zip(&rests).map(of_lot).collect();
     let of_pair = fitted * (rests.norm_squared() / count).sqrt();
     let left = 1.0 - 1.0 / PAIRS as f64;
     (found, of_pair * (left / count).sqrt())
@@ -68,7 +90,7 @@ mod tests {
         for seed in 0..40 {
             let mut random = stream(seed, 0, false);
             let mut normal = || standard_normal_quantile(uniform(&mut random));
-            let (mut lots, mut first, mut exact) = (Vec::new(), Vec::new(), Vec::new());
+            let (mut run, mut exact) = (Vec::new(), Vec::new());
             for _ in 0..100 {
                 let of_lot = [0, 1, 2].map(|_| 0.1 * normal());
                 let pairs: Vec<Values> = (0..PAIRS)
@@ -76,14 +98,10 @@ mod tests {
                     .collect();
                 let mut loss = |f: &Values| 500.0 + 90.0 * f[0] - 40.0 * f[2] + REST * normal();
                 let losses: Vec<f64> = pairs.iter().map(&mut loss).collect();
-                first.push(losses[0]);
+                run.push(RunLot::new(pairs, losses[0]));
                 exact.push(mean(losses));
-                lots.push(Lot {
-                    inspected: Vec::new(),
-                    pairs,
-                });
             }
-            let (found, error) = losses_of_lots(&lots, &first);
+            let (found, error) = losses_of_lots(&run);
             // The scatter of the lots is that of the means over all pairs, 9.85 W with the rests of 16.
             let scatters = [&found, &exact].map(|losses| deviation(losses).unwrap());
             assert!(
@@ -107,12 +125,9 @@ mod tests {
 
     #[test]
     fn parameters_that_do_not_differ_leave_the_mean() {
-        let lot = || Lot {
-            inspected: Vec::new(),
-            pairs: vec![[0.5, 1.0, -2.0]; PAIRS],
-        };
-        let lots: Vec<Lot> = (0..20).map(|_| lot()).collect();
-        let (found, error) = losses_of_lots(&lots, &[500.0; 20]);
+        let lot = |_| RunLot::new(vec![[0.5, 1.0, -2.0]; PAIRS], 500.0);
+        let run: Vec<RunLot> = (0..20).map(lot).collect();
+        let (found, error) = losses_of_lots(&run);
         assert!(error < 1e-9 && found.iter().all(|loss| (loss - 500.0).abs() < 1e-9));
     }
 }

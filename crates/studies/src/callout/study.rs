@@ -16,8 +16,8 @@ use asperity_report::{StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
 use super::error;
-use super::lots::{Batch, Lot, OFFSETS, Process, RoughnessParameter, TOGETHER, Values};
-use super::pair_losses::losses_of_lots;
+use super::lots::{Batch, OFFSETS, Process, RoughnessParameter, TOGETHER, Values};
+use super::pair_losses::{RunLot, losses_of_lots};
 use super::target::LossTarget;
 
 /// Most traces to inspect.
@@ -29,6 +29,8 @@ const FINISHES: [f64; 2] = [0.01e-6, 1.6e-6];
 /// Ratio of the heights between points of the curve of the loss, and points on each side of the stated loss.
 const STEP: f64 = 1.25;
 const AROUND: i32 = 3;
+/// Lots whose pair is also run at the height of the recipe where the stated loss is a change of the loss there.
+const COMPARED: usize = 4 * TOGETHER;
 /// Estimated points of the curve, for the estimate of the time.
 const CURVE: usize = 10;
 
@@ -272,8 +274,19 @@ fn of_process(
         let numbers = *begin..settings.lots.min(begin + TOGETHER);
         let batch = process.batch(numbers, MOST_TRACES)?;
         let losses = process.losses(&batch, curve.height)?;
+        let present = match settings.loss {
+            LossTarget::Of(_) => None,
+            _ if *begin >= COMPARED => None,
+            _ => Some(process.losses(&batch, 1.0)?),
+        };
         count(batch.lots.len());
-        Ok(batch.lots.into_iter().zip(losses).collect::<Vec<_>>())
+        let lots = batch.lots.into_iter().zip(losses).enumerate();
+        let run = lots.map(|(k, (lot, loss_w))| RunLot {
+            lot,
+            loss_w,
+            present_w: present.as_ref().map(|losses| losses[k]),
+        });
+        Ok(run.collect::<Vec<_>>())
     })?;
     let met = MetLots::new(found.into_iter().flatten().collect(), &mut curve);
     progress(runs, runs);
@@ -375,9 +388,6 @@ struct Curve {
     target: f64,
     /// Height at which they lose it.
     height: f64,
-    /// Standard error of the logarithm of this height over the height of the recipe, by the number of pairs; 0 unless the
-    /// stated loss is a change of the loss of the recipe.
-    error: f64,
 }
 
 impl Curve {
@@ -442,31 +452,9 @@ impl Curve {
             stated,
             target,
             height: 1.0,
-            error: 0.0,
         };
         curve.height = curve.height_at(target).exp();
-        curve.error = curve.error_by_pairs(&found);
         Ok(curve)
-    }
-
-    /// The pairs that change by less than their mean with the height differ in the height at which their loss has changed as
-    /// stated. `found` has their losses by the step of the height.
-    fn error_by_pairs(&self, found: &BTreeMap<i32, Vec<f64>>) -> f64 {
-        let share = self.stated.watts(1.0) - self.stated.watts(0.0);
-        let step = self.height.ln() / STEP.ln();
-        let ends = [step.floor(), step.ceil()].map(|step| found.get(&(step as i32)));
-        let (Some(present), [Some(below), Some(above)]) = (found.get(&0), ends) else {
-            return 0.0;
-        };
-        let part = step - step.floor();
-        let pairs = below.iter().zip(above).zip(present);
-        let pairs: Vec<f64> = pairs
-            .map(|((below, above), present)| below + part * (above - below) - share * present)
-            .collect();
-        match share {
-            0.0 => 0.0,
-            _ => moments(&pairs)[1] / (pairs.len() as f64).sqrt() / self.slope(),
-        }
     }
 
     /// Slope of the loss over the logarithm of the height at the stated loss \[W\].
@@ -475,14 +463,27 @@ impl Curve {
         (above - below) / STEP.ln()
     }
 
-    /// Moves the curve along the heights so that its loss at the height of the runs is `loss`, and the stated loss with it.
-    fn levelled(&mut self, loss: f64) {
-        let by = self.height.ln() - self.height_at(loss);
+    /// Moves the curve along the heights so that its loss at the height of the runs is `loss_w`, the mean of all lots; a change of
+    /// the loss of the recipe refers to these lots as well. Returns the standard error of the stated loss by `run` \[W\].
+    fn level(&mut self, loss_w: f64, run: &[RunLot]) -> f64 {
+        let by = self.height.ln() - self.height_at(loss_w);
         for [ln_height, _] in &mut self.nodes {
             *ln_height += by;
         }
-        self.target = self.stated.watts(self.loss_at(0.0));
+        let change_w = self.stated.watts(0.0);
+        let share = self.stated.watts(1.0) - change_w;
+        let beyond = |run: &RunLot| Some(run.loss_w - share * run.present_w?);
+        let beyond: Vec<f64> = run.iter().filter_map(beyond).collect();
+        let error = match beyond.is_empty() {
+            true => 0.0,
+            false => {
+                let [mean, deviation] = moments(&beyond);
+                self.target = loss_w - mean + change_w;
+                deviation / (beyond.len() as f64).sqrt()
+            }
+        };
         self.height = self.height_at(self.target).exp();
+        error
     }
 
     /// Logarithm of the height with this loss, held at the ends of the curve.
@@ -531,21 +532,20 @@ struct MetLots {
 }
 
 impl MetLots {
-    /// The lots of `found` with the loss of their first pair at the height of the curve, whose level becomes theirs. The loss of
-    /// a lot at another height is the loss of the curve at the height that differs in the same ratio.
-    fn new(found: Vec<(Lot, f64)>, curve: &mut Curve) -> Self {
-        let (lots, losses): (Vec<Lot>, Vec<f64>) = found.into_iter().unzip();
-        let (losses, error) = losses_of_lots(&lots, &losses);
-        let run = curve.height.ln();
-        curve.levelled(mean(losses.iter().copied()));
-        let wanted = run + curve.height_at(curve.target);
-        let met = lots.into_iter().zip(losses).map(|(lot, loss)| MetLot {
+    /// The lots that were `run`; `curve` takes their level. The loss of a lot at another height is the loss of the curve at the
+    /// height that differs in the same ratio.
+    fn new(run: Vec<RunLot>, curve: &mut Curve) -> Self {
+        let (losses, error) = losses_of_lots(&run);
+        let ln_height = curve.height.ln();
+        let of_target = curve.level(mean(losses.iter().copied()), &run);
+        let wanted = ln_height + curve.height_at(curve.target);
+        let met = run.into_iter().zip(losses).map(|(run, loss)| MetLot {
             ln_height: wanted - curve.height_at(loss),
-            inspected: lot.inspected,
+            inspected: run.lot.inspected,
         });
         Self {
             lots: met.collect(),
-            error: (error / curve.slope()).hypot(curve.error),
+            error: error.hypot(of_target) / curve.slope(),
         }
     }
 }
