@@ -498,3 +498,41 @@ fn the_dense_reference_solver_is_behind_a_feature() {
         assert!(!for_tests.contains_key("asperity-ehl"), "{folder}");
     }
 }
+
+/// Every crate says who uses it and what it does not know; the crates that it names use it.
+#[test]
+fn a_crate_names_its_callers_and_what_it_does_not_know() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let package = |folder: &str| {
+        manifest(folder)["package"]["name"]
+            .as_str()
+            .unwrap()
+            .to_owned()
+    };
+    for (folder, _) in ALLOWED
+        .iter()
+        .filter(|(folder, _)| folder.starts_with("crates/"))
+    {
+        let pages = ["src/lib.rs", "README.md"].map(|page| root.join(folder).join(page));
+        let texts = pages.map(|page| std::fs::read_to_string(page).unwrap_or_default());
+        let mut lines = texts.iter().flat_map(|text| text.lines());
+        let said = lines.find_map(|line| {
+            let (callers, rest) = line.split_once("It is used by ")?.1.split_once(". ")?;
+            rest.contains("It does not know ").then_some(callers)
+        });
+        let said = said.unwrap_or_else(|| panic!("{folder}: who uses it, what does it not know?"));
+        let name = package(folder);
+        for caller in said.split('`').skip(1).step_by(2) {
+            let of = match caller {
+                "cli" => caller.to_owned(),
+                _ => format!("crates/{caller}"),
+            };
+            let uses = manifest(&of)["dependencies"]
+                .as_table()
+                .unwrap()
+                .contains_key(&name);
+            let passed_on = folder == &"crates/flanks" && caller == "asperity";
+            assert!(uses || passed_on, "{of} does not use {name}");
+        }
+    }
+}

@@ -106,6 +106,23 @@ fn constructors_are_named_and_parameters_are_not_taken_apart() {
     assert!(apart.len() <= MOST_TUPLES, "{}: {apart:#?}", apart.len());
 }
 
+/// A `match` on a condition is an `if`.
+#[test]
+fn no_arm_matches_true_or_false() {
+    let mut arms = Vec::new();
+    for file in all_sources() {
+        let text = read_to_string(&file).unwrap();
+        let is_arm = |line: &&str| {
+            let line = line.trim_start();
+            let (pattern, _) = line.split_once("=>").unwrap_or_default();
+            ["true", "false"].contains(&pattern.split(" if ").next().unwrap_or_default().trim())
+        };
+        let of_file = text.lines().filter(is_arm);
+        arms.extend(of_file.map(|line| format!("{}: {line}", file.display())));
+    }
+    assert!(arms.is_empty(), "{arms:#?}");
+}
+
 #[test]
 fn a_tuple_in_a_signature_is_seen() {
     let source = "impl A {\n fn b<F: Fn(u8) -> u8>(&self, (c, d): (u8, u8), e: F) {}\n}\nfn of(f: &(u8, u8)) {}";

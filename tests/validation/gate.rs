@@ -67,10 +67,12 @@ pub fn judge(found: Estimate, rule: Option<[f64; 2]>) -> Verdict {
         return Verdict::Printed;
     };
     let is_near = |end: f64| (found.value - end).abs() < UNDECIDED * found.standard_error;
-    match (least..=largest).contains(&found.value) {
-        _ if is_near(least) || is_near(largest) => Verdict::Undecided,
-        true => Verdict::Pass,
-        false => Verdict::Fail,
+    if is_near(least) || is_near(largest) {
+        Verdict::Undecided
+    } else if (least..=largest).contains(&found.value) {
+        Verdict::Pass
+    } else {
+        Verdict::Fail
     }
 }
 

@@ -1,5 +1,7 @@
 //! From two measured tooth flanks to the efficiency of a gear mesh.
 //!
+//! It is used by `report`, `studies`, `calibration`, `paper-2022` and the programs. It does not know pages, studies or the formulation of the 2022 paper.
+//!
 //! | start here | for |
 //! |---|---|
 //! | [`prelude`] | the names that most programs need |

@@ -87,10 +87,13 @@ pub(crate) fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f
     const STEPS: f64 = 1000.0;
     let count = numbers.len();
     let scaled = |factor: f64| {
-        DMatrix::from_fn(count, count, |i, j| match i == j {
-            true => 1.0,
-            // A zero is added so that no negative zero is written.
-            false => (STEPS * factor * correlations[numbers[i]][numbers[j]]).round() / STEPS + 0.0,
+        DMatrix::from_fn(count, count, |i, j| {
+            if i == j {
+                1.0
+            } else {
+                // A zero is added so that no negative zero is written.
+                (STEPS * factor * correlations[numbers[i]][numbers[j]]).round() / STEPS + 0.0
+            }
         })
     };
     let holds = |matrix: &DMatrix<f64>| {

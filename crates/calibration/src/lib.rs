@@ -1,5 +1,7 @@
 //! Calibration of boundary friction, boundary layer and film traction, with their bands, on losses measured on a rig.
 //!
+//! It is used by the programs: `cli`, `python` and `web`. It does not know options of a command.
+//!
 //! [`calibrate()`] fits four constants that are in no data sheet to the points of a [`RigTable`]. Its result is the table
 //! `calibration` of a case, whose bands are part of the band of every later loss. [`plan`] chooses the points with the
 //! best information on the constants.

@@ -1,5 +1,7 @@
 //! The case of a gear mesh: the inputs of a run, checked and completed with defaults, with its measured flanks.
 //!
+//! It is used by `asperity`, which re-exports it, and `uncertainty`. It does not know how a run proceeds.
+//!
 //! | module | holds |
 //! |---|---|
 //! | [`case`] | keys, defaults, checks, oil files, gear trains; [`case::load`] reads a file |

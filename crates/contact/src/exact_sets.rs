@@ -32,10 +32,12 @@ pub(crate) enum State {
 impl State {
     /// Set of a pressure with this limit.
     pub(crate) fn from_pressure(pressure: f64, limit: f64) -> Self {
-        match pressure > 0.0 {
-            true if pressure >= limit => Self::Flowing,
-            true => Self::Touching,
-            false => Self::Apart,
+        if pressure > 0.0 && pressure >= limit {
+            Self::Flowing
+        } else if pressure > 0.0 {
+            Self::Touching
+        } else {
+            Self::Apart
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Rough line contact of elastic half-planes: boundary elements, plasticity, subsurface stress.
 //!
+//! It is used by `ehl`, `mixed-film`, `case` and `asperity`. It does not know oil, gears or cases.
+//!
 //! Plane strain, pressures and loads per metre of face width. [`solve`] solves one problem, a [`Solver`]
 //! many problems of one size, a [`Path`] a series of loads or positions. Every solution has a [`Certificate`]; a solution
 //! outside of its tolerance is a [`ContactError`] that holds the certificate reached.

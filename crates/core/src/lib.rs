@@ -1,6 +1,8 @@
 //! Types that every Asperity crate shares: quantities with units, checked values, equations with
 //! their sources, materials, profiles, and the little numerics that is not physics.
 //!
+//! It is used by every other crate. It does not know the physics of a contact, gears, files or cases.
+//!
 //! Conventions hold for the whole workspace: SI inside every function, heights point out of the
 //! material, the reduced modulus is E* = 1 / Σ((1 − νᵢ²)/Eᵢ), and E′ = 2 E* in the groups of
 //! elastohydrodynamics.

@@ -18,10 +18,11 @@ const DIGITS: usize = 6;
 /// ```
 pub fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value);
-    match rounded.is_finite() {
+    if rounded.is_finite() {
         // Minus zero is zero.
-        true => format_shifted(rounded + 0.0, 0),
-        false => rounded.to_string(),
+        format_shifted(rounded + 0.0, 0)
+    } else {
+        rounded.to_string()
     }
 }
 

@@ -1,5 +1,7 @@
 //! Power losses of a gear mesh, their breakdown, its efficiency, and losses of the gearbox around it.
 //!
+//! It is used by `case` and `asperity`. It does not know gear geometry, roughness or the oil in a contact.
+//!
 //! The crate needs no gear geometry. From forces per metre of contact line and speeds at weighted
 //! positions of a mesh cycle it computes powers, energies per engagement and the efficiency.
 //!

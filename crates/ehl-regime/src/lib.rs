@@ -1,5 +1,7 @@
 //! Elastohydrodynamic film thickness, thermal reduction and the lubrication regime.
 //!
+//! It is used by `mixed-film`, `case` and `asperity`. It does not know gears, files or cases.
+//!
 //! From the speed, load and curvature of one mesh position to the smooth film
 //! ([`FilmLaw`]), its reduction by inlet heating ([`ThermalLaw`]), the film parameter Λ* of the
 //! measured roughness ([`lambda_star()`]) and the share of the load that the film carries

@@ -93,10 +93,12 @@ impl Regime {
     /// ```
     #[must_use]
     pub fn of_friction(mixed_share: f64, boundary: f64, friction: f64) -> Self {
-        match mixed_share > 0.0 {
-            false => Self::FullFilm,
-            true if boundary > 0.5 * friction => Self::Boundary,
-            true => Self::Mixed,
+        if mixed_share > 0.0 && boundary > 0.5 * friction {
+            Self::Boundary
+        } else if mixed_share > 0.0 {
+            Self::Mixed
+        } else {
+            Self::FullFilm
         }
     }
 

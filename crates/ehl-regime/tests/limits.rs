@@ -219,10 +219,11 @@ fn the_steepness_of_guptas_factor_is_held_with_a_note() {
                 "{l} {steepness}"
             );
             before = steepness;
-            match is_held {
-                true => assert!((steepness - 0.345).abs() < 1e-8, "{l} {steepness}"),
+            if is_held {
+                assert!((steepness - 0.345).abs() < 1e-8, "{l} {steepness}")
+            } else {
                 // To the bit.
-                false => assert!((found.value / form(l) - 1.0).abs() < 1e-15, "{l}"),
+                assert!((found.value / form(l) - 1.0).abs() < 1e-15, "{l}")
             }
         }
         assert!(counts.iter().all(|count| *count > 20), "{counts:?}");

@@ -1,5 +1,7 @@
 //! Mixed elastohydrodynamic line contact of two rough surfaces.
 //!
+//! It is used by `asperity`, for reference solutions. It does not know gears or cases.
+//!
 //! [`steady::solve`] computes the film of smooth surfaces from a cold start, [`transient::record`] the
 //! contact of two rough surfaces over a travel, [`traction::traction`] the traction of a smooth film, and
 //! `graded::reference` (feature `oracle`) reference films with an error estimate. Every solution comes with its

@@ -40,13 +40,15 @@ impl FlankLay {
     /// The measured lay; `None` if it says less than the assumed one.
     pub fn from_rows(measured: &RowLay) -> Option<Self> {
         let [low, high] = measured.range.map(|end| two_digits(end.min(1.0)));
-        match measured.is_bound {
-            true if high >= MOST_LAY && low < MOST_LAY => None,
-            true => Some(Self::Uniform { low, high }),
-            false => Some(Self::Lognormal {
+        if measured.is_bound && high >= MOST_LAY && low < MOST_LAY {
+            None
+        } else if measured.is_bound {
+            Some(Self::Uniform { low, high })
+        } else {
+            Some(Self::Lognormal {
                 median: two_digits(measured.gamma.min(1.0)),
                 factor: measured.range[1] / measured.gamma,
-            }),
+            })
         }
     }
 

@@ -1,5 +1,7 @@
 //! Flanks of gears as measured: traces read, prepared and placed, and the windows in contact at a mesh position.
 //!
+//! It is used by `case`, which passes it on to `asperity`. It does not know keys of a case, friction or losses.
+//!
 //! | module | holds |
 //! |---|---|
 //! | [`trace`] | one trace: read, turned, placed, filtered ([`trace_filters`], [`read_place`], [`flank_form`]), with what is stated of it ([`statements`]) |

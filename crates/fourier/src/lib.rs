@@ -1,5 +1,7 @@
 //! Plans of Fourier transforms.
 //!
+//! It is used by `core`. It does not know what is transformed.
+//!
 //! The code of a plan is generic: every crate that makes a plan or a planner compiles all of it, which costs more than the
 //! rest of most crates. The others take plans and planners from this crate, which is compiled once.
 //!

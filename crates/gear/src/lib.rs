@@ -1,6 +1,8 @@
 //! Involute cylindrical gear pairs, external and internal: geometry, kinematics, load over the flanks, and loss
 //! factors.
 //!
+//! It is used by `flanks`, `case` and `asperity`. It does not know roughness, oil or friction.
+//!
 //! [`GearPair::new`] derives the working geometry from a [`GearPairInput`] or returns an error. Positions on the path
 //! of contact are distances s from T₁, the foot of the perpendicular from the axis of gear 1 to the line of action; A
 //! and E are the ends of the path, C is the pitch point. [`LoadMap`] solves for the load over the flanks of elastic

@@ -1,5 +1,7 @@
 //! Share of the load on touching asperities, from the solved rough contact.
 //!
+//! It is used by `asperity`, for every window of a mesh position. It does not know gears, keys of a case or losses.
+//!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | φ | share of the load carried where the loaded rough flanks touch | - |

@@ -1,5 +1,7 @@
 //! Pressure in and across a thin lubricating film between two cylinders.
 //!
+//! It is used by `asperity` and `paper-2022`. It does not know gears, roughness or cases.
+//!
 //! [`model`] computes the pressure difference across the film, the question of the paper, with the
 //! consistent film of [`reynolds_cross`] or with the film of the [`paper`]. [`film_pressure`] computes
 //! the pressure along the film of any gap.

@@ -1,5 +1,7 @@
 //! The lubricating oil: every law and every constant of viscosity, density, shear stress and heat.
 //!
+//! It is used by the physics crates of the film, `case` and `asperity`. It does not know gears, contacts or cases.
+//!
 //! | property | laws | used by |
 //! |---|---|---|
 //! | viscosity over temperature | [`AstmD341`], [`Vogel`], [`GivenViscosity`] | [`Lubricant`] |

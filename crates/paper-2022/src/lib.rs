@@ -1,6 +1,8 @@
 //! The formulation of the 2022 paper: one position of the path, flanks that march to their load, its film pressure and its
 //! printed deformation loss; and the figures of the paper.
 //!
+//! It is used by the programs: `cli`, `python` and `web`. It does not know studies or options of a command.
+//!
 //! The program does without it. [`register`] makes it a value of the key `formulation` of a case:
 //!
 //! ```

@@ -1,5 +1,7 @@
 //! Profilometer files: reading measured profiles with a record of assumptions, and writing them without loss.
 //!
+//! It is used by `flanks`, `case` and `cli`. It does not know filters, parameters or gears.
+//!
 //! [`read`] recognises the format of a file and returns its [`Profile`](asperity_core::Profile) with units, spacing,
 //! metadata and [`Warning`]s, or a typed error; [`mod@write`] returns the bytes of a file. Filters and parameters are
 //! in `asperity-roughness`.

@@ -79,7 +79,8 @@ pub fn ehl<'py>(
                 true
             },
         )?;
-        let solved = mean_of(&records).ok_or_else(|| Failure::new(Code::E501, "no reference solution"))?;
+        let solved =
+            mean_of(&records).ok_or_else(|| Failure::new(Code::E501, "no reference solution"))?;
         let highest = solved.value.max_pressure;
         if highest > HIGHEST_PRESSURE {
             let message = format!(

@@ -232,10 +232,14 @@ fn missing(law: FrictionLaw, settings: &FrictionSettings, given: &Columns) -> Ve
             .map_or(f64::NAN, |input| input.1)
     };
     let has_value_without = |left_out: &str| {
-        let at = |name: &str| match is_given(name) {
-            true => given.at(name, 0),
-            false if name == left_out => f64::NAN,
-            false => usual(name),
+        let at = |name: &str| {
+            if is_given(name) {
+                given.at(name, 0)
+            } else if name == left_out {
+                f64::NAN
+            } else {
+                usual(name)
+            }
         };
         let found = law.coefficient(settings, &conditions(&at));
         found.is_ok_and(|found| found.value.is_finite())

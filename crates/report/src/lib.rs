@@ -1,5 +1,7 @@
 //! Output of results: a folder of files, a page, and a summary for the terminal.
 //!
+//! It is used by `studies`, `calibration`, `paper-2022` and the programs. It does not know which studies exist, and runs nothing.
+//!
 //! All output is made from a [`RunResult`](asperity::result::RunResult) and its tables; nothing here runs the
 //! pipeline.
 //!

@@ -1,5 +1,7 @@
 //! Gear cases from REXS gearbox files.
 //!
+//! It is used by the programs: `cli`, `python` and `web`. It does not know how a case is read or computed.
+//!
 //! REXS (Reusable Engineering EXchange Standard, FVA) describes gearboxes as components with attributes and
 //! relations between them. This crate reads versions 1.0 to 2.0 as XML, JSON or zip, lists the stages, and writes
 //! a case of one of them or of all.

@@ -1,5 +1,7 @@
 //! Atomic writing of files and folders, and bounded reading of files.
 //!
+//! It is used by all crates that read or write files, above all `case`, `report` and `studies`. It does not know what a file contains.
+//!
 //! | task | method |
 //! |---|---|
 //! | reading a file ([`whole_file`]) | regular files of a bounded size; no device, no pipe |

@@ -248,17 +248,20 @@ impl EstimateWork {
         let window = window_points / positions as f64;
         // The two traces are transformed together, forward and back: as a whole, or in pieces around the windows.
         let length = trace.len() as f64;
-        let transformed = match tables {
-            true if length > PIECES * PIECE * window => 2.0 * PIECE * window * offsets,
-            true => 2.0 * length,
-            false => 0.0,
+        let transformed = if tables && length > PIECES * PIECE * window {
+            2.0 * PIECE * window * offsets
+        } else if tables {
+            2.0 * length
+        } else {
+            0.0
         };
         let of_film = SECONDS_OF_FILM * offsets
             + SECONDS_OF_TRANSFORM * transformed * transformed.max(2.0).log2();
-        let worn = match runs_in {
+        let worn = if runs_in {
             // Windows lie a contact width apart.
-            true => CYCLES * window * (trace.len() as f64 * model.window / window).powi(2),
-            false => 0.0,
+            CYCLES * window * (trace.len() as f64 * model.window / window).powi(2)
+        } else {
+            0.0
         };
         let cells = model.ehl.cells as f64;
         let steps = RECORD[0] * cells * (RECORD[1] + model.ehl.travel);

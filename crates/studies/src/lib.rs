@@ -2,6 +2,8 @@
 //! temperature, [`cycle`] integrates them over a driving cycle, [`export`] writes maps for other programs, [`sensitivity`]
 //! changes one input at a time, [`sweep`] runs many cases in shards.
 //!
+//! It is used by the programs: `cli`, `python` and `web`. It does not know options of a command.
+//!
 #![doc = include_str!("../README.md")]
 
 pub mod callout;

@@ -1,6 +1,8 @@
 //! Friction coefficients, rolling resistance, mixed friction and flash temperature of lubricated
 //! gear flanks.
 //!
+//! It is used by `mixed-film`, `case` and `asperity`. It does not know gears or cases; what it needs of a contact are quantities.
+//!
 //! One file a law in [`friction_law`], each with its own function in the units a reader expects; [`FrictionLaw`]
 //! chooses between them by the name in a case file and takes what it needs from
 //! [`FrictionConditions`].

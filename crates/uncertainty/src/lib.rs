@@ -1,5 +1,7 @@
 //! Draws of the loss of a gear mesh over its uncertain constants.
 //!
+//! It is used by `asperity`, which evaluates the losses. It does not know how a loss is computed.
+//!
 //! | step | type |
 //! |---|---|
 //! | uncertain constants of a case with their distributions | [`UncertainParameter`], [`Ranged`] |

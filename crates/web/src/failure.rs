@@ -61,7 +61,11 @@ impl From<Fault> for Failure {
         Self {
             code: fault.code(),
             message: fault.message().to_owned(),
-            help: if is_general { advice(fault.code()) } else { fault.help() },
+            help: if is_general {
+                advice(fault.code())
+            } else {
+                fault.help()
+            },
             place: fault.place().cloned(),
         }
     }

@@ -207,10 +207,12 @@ fn ratios(rows: &[FileRow]) -> Table {
 }
 
 fn number(value: f64) -> String {
-    match value.is_finite() {
-        true if value.abs() < 100.0 => format!("{value:.4}"),
-        true => format!("{value:.1}"),
-        false => "none".to_owned(),
+    if value.is_finite() && value.abs() < 100.0 {
+        format!("{value:.4}")
+    } else if value.is_finite() {
+        format!("{value:.1}")
+    } else {
+        "none".to_owned()
     }
 }
 

@@ -865,10 +865,13 @@ impl Whole {
     #[must_use]
     pub fn shaft_with_digits(&self, row: &ShaftRow) -> [String; 3] {
         let half = self.half_band() * row.by_losses_nm.abs();
-        let text = |value: f64, half: f64| match half > 0.0 {
-            true => rounded(value, half),
-            // Stated, or zero.
-            false => format!("{}", (value * 1e4).round() / 1e4 + 0.0),
+        let text = |value: f64, half: f64| {
+            if half > 0.0 {
+                rounded(value, half)
+            } else {
+                // Stated, or zero.
+                format!("{}", (value * 1e4).round() / 1e4 + 0.0)
+            }
         };
         [
             text(row.carried_nm, half),

@@ -169,15 +169,13 @@ fn is_of_same_surface(first: &Listed, second: &Listed) -> bool {
 
 fn written(lay: &RowLay, file: &str) -> String {
     let [low, high] = lay.range.map(|end| two_digits(end.min(1.0)));
-    match lay.is_bound {
-        _ if lay.range[0] > 1.0 => format!("1, as the ridges on {file} run along the traces"),
-        true => {
-            format!("{low} to {high} measured on {file}, whose ridges are longer than half of it")
-        }
-        false => {
-            let median = two_digits(lay.gamma.min(1.0));
-            format!("{median} ({low} to {high}) measured on {file}")
-        }
+    if lay.range[0] > 1.0 {
+        format!("1, as the ridges on {file} run along the traces")
+    } else if lay.is_bound {
+        format!("{low} to {high} measured on {file}, whose ridges are longer than half of it")
+    } else {
+        let median = two_digits(lay.gamma.min(1.0));
+        format!("{median} ({low} to {high}) measured on {file}")
     }
 }
 

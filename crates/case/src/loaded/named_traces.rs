@@ -104,10 +104,11 @@ impl NamedTraces {
         let teeth = paired(named);
         let of_rows = self.lists.each_ref().map(|list| list[0].site.row.is_some());
         for body in [0, 1] {
-            match of_rows[body] {
+            if of_rows[body] && named[body] > teeth[body] {
                 // Fewer rows, still spread evenly.
-                true if named[body] > teeth[body] => self.take_rows(body, teeth[body], source)?,
-                _ => self.lists[body].retain(|trace| trace.site.tooth < teeth[body]),
+                self.take_rows(body, teeth[body], source)?
+            } else {
+                self.lists[body].retain(|trace| trace.site.tooth < teeth[body])
             }
         }
         let is_fewer = teeth != named;

@@ -133,19 +133,18 @@ impl FittedFriction {
             let Estimate { value, low, high } = found;
             let is_within = low < high && found.contains(value) && high.is_finite();
             let is_fall = name == FittedName::LimitingShearTemperature;
-            let rule = match is_fall {
-                _ if !is_within || (!is_fall && low <= 0.0) => {
-                    if is_fall {
-                        "needs low < high with the value between them"
-                    } else {
-                        "needs 0 < low < high with the value between them"
-                    }
+            let rule = if !is_within || (!is_fall && low <= 0.0) {
+                if is_fall {
+                    "needs low < high with the value between them"
+                } else {
+                    "needs 0 < low < high with the value between them"
                 }
-                true if low < -STEEPEST_FALL || high > STEEPEST_FALL => {
-                    "needs -0.016 <= low and high <= 0.016 1/K: the film would have no single temperature"
-                }
-                _ if name == FittedName::LimitingShear && high >= 1.0 => "must be below 1",
-                _ => continue,
+            } else if is_fall && (low < -STEEPEST_FALL || high > STEEPEST_FALL) {
+                "needs -0.016 <= low and high <= 0.016 1/K: the film would have no single temperature"
+            } else if name == FittedName::LimitingShear && high >= 1.0 {
+                "must be below 1"
+            } else {
+                continue;
             };
             return Err(section.conflict(name.key(), rule));
         }

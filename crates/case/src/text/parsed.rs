@@ -31,14 +31,20 @@ impl Source {
             })?;
             source.index_json("", &value);
         } else {
-            let table = DeTable::parse(text).map_err(|error| CaseError::syntax(source.at_span(error.span()), match text.trim_start().starts_with('{') {
-                    true => format!("{} (JSON goes into a file named .json)", error.message()),
-                    false if source.has_ending("toml") => error.message().to_owned(),
-                    false => format!(
-                        "{} (a case is a .toml or .json file; it names a trace as file of surface.pinion or surface.wheel)",
-                        error.message()
-                    ),
-                }))?;
+            let message = |error: &str| {
+                if text.trim_start().starts_with('{') {
+                    format!("{error} (JSON goes into a file named .json)")
+                } else if source.has_ending("toml") {
+                    error.to_owned()
+                } else {
+                    format!(
+                        "{error} (a case is a .toml or .json file; it names a trace as file of surface.pinion or surface.wheel)"
+                    )
+                }
+            };
+            let table = DeTable::parse(text).map_err(|error| {
+                CaseError::syntax(source.at_span(error.span()), message(error.message()))
+            })?;
             source.index_toml("", table.get_ref());
         }
         Ok(source)

@@ -303,10 +303,12 @@ impl LoadMap {
 fn between_neighbours(position: f64, points: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut below, mut above) = (None::<(f64, f64)>, None::<(f64, f64)>);
     for point in points {
-        match point.0 <= position {
-            true if below.is_none_or(|at| at.0 <= point.0) => below = Some(point),
-            false if above.is_none_or(|at| at.0 > point.0) => above = Some(point),
-            _ => {}
+        if point.0 <= position {
+            if below.is_none_or(|at| at.0 <= point.0) {
+                below = Some(point);
+            }
+        } else if above.is_none_or(|at| at.0 > point.0) {
+            above = Some(point);
         }
     }
     interpolate_between(below, above, position)

@@ -53,10 +53,10 @@ pub(super) fn of_file(
         let is_row = cells.len() == sniffed.columns
             && cells.iter().any(|cell| is_number(cell))
             && cells.iter().all(is_height);
-        match is_row {
-            true => follows = true,
-            false if !follows => block += 1,
-            false => {}
+        if is_row {
+            follows = true
+        } else if !follows {
+            block += 1
         }
         let like = match kind {
             DialectKind::Cell(at) => cells

@@ -347,10 +347,14 @@ pub fn wyko_text(in_nanometres: bool) -> Vec<u8> {
         "RAW_DATA\t3\t1440\n",
     ]
     .join("\n");
-    let height = |x: usize, y: usize| match is_hole(x, y) {
-        true => "Bad".to_owned(),
-        false if in_nanometres => nanometres(x, y).to_string(),
-        false => format!("{:.9}", f64::from(nanometres(x, y)) / 632.8 * 1000.0),
+    let height = |x: usize, y: usize| {
+        if is_hole(x, y) {
+            "Bad".to_owned()
+        } else if in_nanometres {
+            nanometres(x, y).to_string()
+        } else {
+            format!("{:.9}", f64::from(nanometres(x, y)) / 632.8 * 1000.0)
+        }
     };
     let column = |x: usize| {
         (0..ROWS)

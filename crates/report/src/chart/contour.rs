@@ -452,10 +452,12 @@ fn colour(band: usize, levels: &[f64]) -> String {
         bands => band * (COLOURS - 1) / (bands - 1),
     };
     let above = levels.get(band + 1);
-    match is_diverging(levels) {
-        true if levels[band] < 0.0 && above.is_some_and(|above| *above > 0.0) => "even".to_owned(),
-        true => format!("v{number}"),
-        false => format!("b{number}"),
+    if is_diverging(levels) && levels[band] < 0.0 && above.is_some_and(|above| *above > 0.0) {
+        "even".to_owned()
+    } else if is_diverging(levels) {
+        format!("v{number}")
+    } else {
+        format!("b{number}")
     }
 }
 

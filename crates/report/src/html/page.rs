@@ -223,10 +223,12 @@ pub(super) fn embedded(data: &serde_json::Value) -> Markup {
 
 fn sample(kind: &str, class: &str) -> String {
     let is_area = ["area", "oil"].iter().any(|kind| class.starts_with(kind));
-    let d = match class.ends_with("scatter") {
-        true => "M10 6a4 4 0 1 0 8 0a4 4 0 1 0 -8 0",
-        false if is_area => "M1 1h26v10h-26z",
-        false => "M1 6h26",
+    let d = if class.ends_with("scatter") {
+        "M10 6a4 4 0 1 0 8 0a4 4 0 1 0 -8 0"
+    } else if is_area {
+        "M1 1h26v10h-26z"
+    } else {
+        "M1 6h26"
     };
     format!(
         "<svg class=\"sample {kind}\" viewBox=\"0 0 28 12\" aria-hidden=\"true\"><path class=\"{class}\" d=\"{d}\"/></svg>"

@@ -474,13 +474,12 @@ impl Curve {
         let share = self.stated.watts(1.0) - change_w;
         let beyond = |run: &RunLot| Some(run.loss_w - share * run.present_w?);
         let beyond: Vec<f64> = run.iter().filter_map(beyond).collect();
-        let error = match beyond.is_empty() {
-            true => 0.0,
-            false => {
-                let [mean, deviation] = moments(&beyond);
-                self.target = loss_w - mean + change_w;
-                deviation / (beyond.len() as f64).sqrt()
-            }
+        let error = if beyond.is_empty() {
+            0.0
+        } else {
+            let [mean, deviation] = moments(&beyond);
+            self.target = loss_w - mean + change_w;
+            deviation / (beyond.len() as f64).sqrt()
         };
         self.height = self.height_at(self.target).exp();
         error

@@ -172,10 +172,14 @@ pub(super) fn of_fields(given: &ExportGiven<'_>) -> Result<Option<Vec<u8>>, Faul
 fn efficiencies(field: &Field) -> Vec<f64> {
     let (total, across) = (field.total_nm(), field.speed_rpm.len());
     let torques = &field.torque_nm;
-    let next = |k: usize| match torques[k] == 0.0 {
-        true if k + 1 < torques.len() => k + 1,
-        true => k.saturating_sub(1),
-        false => k,
+    let next = |k: usize| {
+        if torques[k] == 0.0 && k + 1 < torques.len() {
+            k + 1
+        } else if torques[k] == 0.0 {
+            k.saturating_sub(1)
+        } else {
+            k
+        }
     };
     let of = |index: usize| {
         let k = next(index / across);

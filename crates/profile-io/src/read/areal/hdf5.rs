@@ -48,16 +48,14 @@ pub(super) fn arrays(bytes: &[u8], format: Format) -> Result<Areal, ReadFault> {
     let values = numbers(&dataset).map_err(fault)?;
     let [rows, columns] = size(&dataset);
     // MATLAB stores a matrix column by column, and states its sizes in reverse order. A vector is a profile.
-    let (values, columns) = match rows == 1 || columns == 1 {
-        true => (values, rows.max(columns)),
-        false if is_matlab => {
-            let transposed =
-                (0..columns).flat_map(|row| (0..rows).map(move |column| (row, column)));
-            let height =
-                |(row, column): (usize, usize)| values.get(column * columns + row).copied();
-            (transposed.filter_map(height).collect(), rows)
-        }
-        false => (values, columns),
+    let (values, columns) = if rows == 1 || columns == 1 {
+        (values, rows.max(columns))
+    } else if is_matlab {
+        let transposed = (0..columns).flat_map(|row| (0..rows).map(move |column| (row, column)));
+        let height = |(row, column): (usize, usize)| values.get(column * columns + row).copied();
+        (transposed.filter_map(height).collect(), rows)
+    } else {
+        (values, columns)
     };
     let numbers = Lengths::Numbers(ArealHeights::Values { values, columns }, None);
     let mut found = Areal::from_heights(format, numbers);

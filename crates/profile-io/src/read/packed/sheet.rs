@@ -147,15 +147,16 @@ impl Sheet {
         let mut lines = vec![String::new(); block.end];
         for (row, cells) in above {
             let label = |column: &usize| cells.get(column).map_or("", String::as_str);
-            lines[row] = match row + 1 == block.first {
-                true => block
+            lines[row] = if row + 1 == block.first {
+                block
                     .columns
                     .iter()
                     .map(label)
                     .collect::<Vec<_>>()
-                    .join("\t"),
+                    .join("\t")
+            } else {
                 // A name with its value, or a remark.
-                false => format!("# {}", cells.into_values().collect::<Vec<_>>().join("\t")),
+                format!("# {}", cells.into_values().collect::<Vec<_>>().join("\t"))
             };
         }
         let mut cells: Vec<_> = block
