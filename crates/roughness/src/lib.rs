@@ -1,6 +1,6 @@
 //! Filters, roughness parameters and synthetic profiles.
 //!
-//! It is used by `mixed-film`, `flanks`, `case` and `asperity`. It does not know files, gears or oil.
+//! It is used by `flanks`, `case` and `asperity`. It does not know files, gears or oil.
 //!
 //! [`preparation`] removes the form of a [`Profile`](asperity_core::Profile) and filters it by a recorded recipe;
 //! [`Parameters`] holds the standardised parameters. [`composite`] adds two flanks, [`summits`] computes the radius of
