@@ -266,9 +266,10 @@ fn constant_in_code(file: &str, name: &str) -> Vec<f64> {
         let row = families.iter().find(|row| row["name"] == family).unwrap();
         return vec![row[key]["value"].as_f64().unwrap()];
     }
-    let definition = match name.starts_with("Self::") {
-        true => format!("{name} => ["),
-        false => format!("const {name}:"),
+    let definition = if name.starts_with("Self::") {
+        format!("{name} => [")
+    } else {
+        format!("const {name}:")
     };
     let at = text
         .find(&definition)

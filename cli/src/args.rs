@@ -28,7 +28,7 @@ pub use profile::{
     Wavelengths,
 };
 pub use set::SetArgs;
-pub use study::{Given, Group, StudyArgs, StudyCommand, Subject, Top, command, named};
+pub use study::{Given, KeyGroup, StudyArgs, StudyCommand, Subject, Top, command, named};
 pub use sweep::{SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 pub use values::name_of;
 pub use work::WorkArgs;

@@ -30,9 +30,10 @@ pub fn print<V: Serialize>(
     value: impl FnOnce() -> V,
     text: impl FnOnce() -> String,
 ) -> Result<(), Failure> {
-    match common.json {
-        true => print_json(&value()),
-        false => print_text(common, &text()),
+    if common.json {
+        print_json(&value())
+    } else {
+        print_text(common, &text())
     }
 }
 
@@ -51,9 +52,10 @@ pub fn print_report<'a, V: Serialize>(
         return print_json(&value());
     }
     let report = report();
-    let (mut text, left_out) = match common.notes {
-        true => (report.terminal(), LeftOut::default()),
-        false => report.brief(FIRST_SCREEN),
+    let (mut text, left_out) = if common.notes {
+        (report.terminal(), LeftOut::default())
+    } else {
+        report.brief(FIRST_SCREEN)
     };
     let more = match left_out.lines {
         0 => String::new(),
@@ -93,9 +95,12 @@ pub fn print_verdict(common: &Common, text: &str, verdict: &[String]) -> Result<
     if !std::io::stdout().is_terminal() {
         return write(&text);
     }
-    let bold = |line: &str| match verdict.iter().any(|of| of == line.trim_end()) {
-        true => format!("\u{1b}[1m{}\u{1b}[0m\n", line.trim_end()),
-        false => line.to_owned(),
+    let bold = |line: &str| {
+        if verdict.iter().any(|of| of == line.trim_end()) {
+            format!("\u{1b}[1m{}\u{1b}[0m\n", line.trim_end())
+        } else {
+            line.to_owned()
+        }
     };
     write(&text.split_inclusive('\n').map(bold).collect::<String>())
 }

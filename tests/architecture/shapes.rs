@@ -1,5 +1,6 @@
-//! Names of constructors and shapes of parameters: a constructor is `new`, `from_x` or a noun, and what belongs together is a struct.
+//! Names and shapes: a constructor is `new`, `from_x` or a noun, a parameter is not a tuple, and few types share a name.
 
+use std::collections::BTreeMap;
 use std::fs::read_to_string;
 use std::path::Path;
 
@@ -8,7 +9,9 @@ use super::read_only::all_sources;
 /// Maximum number of functions named exactly `of`.
 const MOST_OF: usize = 40;
 /// Maximum number of parameters whose pattern is a tuple.
-const MOST_TUPLES: usize = 180;
+const MOST_TUPLES: usize = 29;
+/// Maximum number of names that several types have.
+const MOST_SHARED_NAMES: usize = 75;
 
 /// Source without comments, each replaced by nothing up to the end of its line.
 fn without_comments(text: &str) -> String {
@@ -115,4 +118,56 @@ fn a_tuple_in_a_signature_is_seen() {
         tuples("[a, b]: [u8; 2], (c, (d, e)): (u8, (u8, u8)), g: u8"),
         1
     );
+}
+
+/// Names of the types that a source declares outside of functions.
+fn types(text: &str) -> Vec<&str> {
+    let before_tests = text.split("#[cfg(test)]").next().unwrap_or_default();
+    before_tests.lines().filter_map(declared_type).collect()
+}
+
+fn declared_type(line: &str) -> Option<&str> {
+    let rest = line.strip_prefix("pub").map_or(line, |rest| {
+        rest.split_once(") ").map_or(
+            rest,
+            |(scope, after)| {
+                if scope.starts_with('(') { after } else { rest }
+            },
+        )
+    });
+    let (kind, rest) = rest.trim_start().split_once(' ')?;
+    let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_');
+    let is_type = ["struct", "enum", "trait", "type", "union"].contains(&kind);
+    (is_type && !line.starts_with(' ')).then(|| &rest[..end.unwrap_or(rest.len())])
+}
+
+/// Classes of the Python module and values of the page have the names of what they pass on, in the same meaning.
+#[test]
+fn few_types_share_a_name() {
+    let mut places = BTreeMap::<String, Vec<String>>::new();
+    let of_faces = ["crates/python", "crates/web"].map(|folder| format!("../{folder}/"));
+    for file in all_sources() {
+        let name = file.display().to_string();
+        if of_faces.iter().any(|folder| name.contains(folder)) {
+            continue;
+        }
+        for declared in types(&read_to_string(&file).unwrap()) {
+            let of_name = places.entry(declared.to_owned()).or_default();
+            of_name.push(name.clone());
+        }
+    }
+    assert!(places.len() > 1000, "{}", places.len());
+    places.retain(|_, files| files.len() > 1);
+    println!("{} names of several types", places.len());
+    let shared = places.len();
+    assert!(shared <= MOST_SHARED_NAMES, "{shared}: {places:#?}");
+}
+
+#[test]
+fn a_declared_type_is_seen() {
+    assert_eq!(declared_type("pub(crate) struct Grid<'a> {"), Some("Grid"));
+    assert_eq!(declared_type("pub enum Law {"), Some("Law"));
+    assert_eq!(declared_type("type Place = [u64; 3];"), Some("Place"));
+    assert_eq!(declared_type("    type Error = Error;"), None);
+    assert_eq!(declared_type("pub fn of(a: (u8, u8)) {"), None);
 }

@@ -52,9 +52,10 @@ fn wrong(text: &str) -> Vec<String> {
             .collect()
     };
     // [heat] does not show that it belongs to a train.
-    let source = match text.starts_with("[heat]") {
-        true => Source::new("block.toml", &format!("{text}\n[mesh.part]\n")).unwrap_or(source),
-        false => source,
+    let source = if text.starts_with("[heat]") {
+        Source::new("block.toml", &format!("{text}\n[mesh.part]\n")).unwrap_or(source)
+    } else {
+        source
     };
     faults(&case::check(source, folder, &[]).errors)
 }

@@ -68,9 +68,10 @@ fn neither_a_page_nor_the_book_is_too_long() {
     let mut sum = 0;
     for (page, text) in written() {
         let words = words(&text);
-        let most = match LONG.contains(&page.as_str()) {
-            true => MOST_WORDS_OF_LONG,
-            false => MOST_WORDS,
+        let most = if LONG.contains(&page.as_str()) {
+            MOST_WORDS_OF_LONG
+        } else {
+            MOST_WORDS
         };
         assert!(words <= most, "{page} has {words} words");
         sum += words;
@@ -185,15 +186,14 @@ fn faults_of_formulas(text: &str) -> Vec<String> {
             is_display = !is_display;
             continue;
         }
-        let spans: Vec<&str> = match is_display {
-            true => vec![line],
-            false => {
-                let outside = asperity_tests::markdown::without_code(line);
-                if outside.matches('$').count() % 2 == 1 {
-                    faults.push(format!("a single $: {line}"));
-                }
-                line.split('$').skip(1).step_by(2).collect()
+        let spans: Vec<&str> = if is_display {
+            vec![line]
+        } else {
+            let outside = asperity_tests::markdown::without_code(line);
+            if outside.matches('$').count() % 2 == 1 {
+                faults.push(format!("a single $: {line}"));
             }
+            line.split('$').skip(1).step_by(2).collect()
         };
         for span in spans {
             // Markdown takes a backslash before punctuation as its own.

@@ -365,9 +365,10 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
         ("compared/compare.html", "local-losses") => {
             let name = curve.trim_end_matches(", 5 to 95 %");
             let own = table("path.csv").with("finish", name);
-            let columns: &[&str] = match name == curve {
-                true => &["loss_w_per_m"],
-                false => &["loss_p05_w_per_m", "loss_p95_w_per_m"],
+            let columns: &[&str] = if name == curve {
+                &["loss_w_per_m"]
+            } else {
+                &["loss_p05_w_per_m", "loss_p95_w_per_m"]
             };
             let values = columns.iter().flat_map(|column| own.column(column));
             Some(values.map(|value| 1e-3 * value).collect())
@@ -493,9 +494,10 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
             };
             let at = curve.trim_start_matches("5 to 95 %, ");
             let own = table(file).with("temperature_c", celsius(at));
-            let columns: &[&str] = match at == curve {
-                true => &["traction"],
-                false => &["traction_p05", "traction_p95"],
+            let columns: &[&str] = if at == curve {
+                &["traction"]
+            } else {
+                &["traction_p05", "traction_p95"]
             };
             Some(
                 columns

@@ -65,9 +65,10 @@ fn assert_same_numbers(opened: &Opened, result: &Value) {
         if key.ends_with("_w") && !["loss_w", "power_in_w"].contains(&key) {
             // Parts add up to their total as printed, which moves one of them by less than its last place.
             let printed: f64 = number.parse().unwrap();
-            let step = match number.contains('e') {
-                true => 0.05 * exact,
-                false => 0.1_f64.powi(decimals as i32),
+            let step = if number.contains('e') {
+                0.05 * exact
+            } else {
+                0.1_f64.powi(decimals as i32)
             };
             assert!((printed - exact).abs() < step, "{key}: {printed} {exact}");
         } else {

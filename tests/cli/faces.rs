@@ -527,9 +527,12 @@ fn sources(folder: &std::path::Path) -> Vec<String> {
         .unwrap()
         .map(|entry| entry.unwrap().path());
     entries
-        .flat_map(|path| match path.is_dir() {
-            true => sources(&path),
-            false => vec![fs::read_to_string(&path).unwrap()],
+        .flat_map(|path| {
+            if path.is_dir() {
+                sources(&path)
+            } else {
+                vec![fs::read_to_string(&path).unwrap()]
+            }
         })
         .collect()
 }

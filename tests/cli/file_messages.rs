@@ -117,9 +117,10 @@ fn every_fault_of_a_trace_is_named_with_its_line_and_remedy() {
         let mut arguments = vec!["profile", "info", entry.name];
         arguments.extend(entry.options);
         let said = bench.run(&arguments);
-        match ["E109", "E120"].contains(&entry.code) {
-            true => said.informed(entry.code, entry.says),
-            false => said.refused(2, entry.code, entry.says),
+        if ["E109", "E120"].contains(&entry.code) {
+            said.informed(entry.code, entry.says)
+        } else {
+            said.refused(2, entry.code, entry.says)
         }
     }
     bench.run(&["profile", "info", "nosuch.csv"]).refused(

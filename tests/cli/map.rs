@@ -194,9 +194,10 @@ fn quantiles_at_the_nodes_of_a_map_are_those_of_runs() {
     }
     for row in &rows {
         let [median, low, high] = columns.map(|column| number(row, column));
-        match number(row, "speed_rpm") == 0.0 {
-            true => assert_eq!([median, low, high], [0.0; 3]),
-            false => assert!(0.0 < low && low < median && median < high, "{row:?}"),
+        if number(row, "speed_rpm") == 0.0 {
+            assert_eq!([median, low, high], [0.0; 3])
+        } else {
+            assert!(0.0 < low && low < median && median < high, "{row:?}")
         }
     }
     // The best efficiency is of a median, as the largest loss.

@@ -71,9 +71,10 @@ fn the_oil_of_a_case_has_its_own_constants() {
     assert!(
         own.iter()
             .zip(&falling)
-            .all(|(own, falling)| match own[3] < 80.0 {
-                true => falling[4] > own[4],
-                false => true,
+            .all(|(own, falling)| if own[3] < 80.0 {
+                falling[4] > own[4]
+            } else {
+                true
             })
     );
 }

@@ -248,9 +248,10 @@ fn an_undecided_law_of_pressure_is_in_the_interval() {
     // The Roelands viscosity with the same constants shears more easily.
     let alone = ["barus", "roelands"].map(|law| {
         let stated = format!("\n[model]\nfilm_pressure_law = \"{law}\"\n");
-        let text = match E_DRIVE.contains("[model]\n") {
-            true => case("", "").replacen("[model]\n", &stated, 1),
-            false => case("", &stated),
+        let text = if E_DRIVE.contains("[model]\n") {
+            case("", "").replacen("[model]\n", &stated, 1)
+        } else {
+            case("", &stated)
         };
         let found = result(&bench, &text);
         let said = warned(&found, "W443");

@@ -114,9 +114,12 @@ fn c04_a_phase_map_of_zygo_has_its_spacing_units_and_missing_points() {
             let row = surface(300, y).into_iter().enumerate();
             row.map(move |(x, z)| (x, y, z))
         });
-        let point = |(x, y, z): (usize, usize, f64)| match hole(x, y) {
-            true => format!("{} {} No Data\n", x + 12, y + 8),
-            false => format!("{} {} {z:.6}\n", x + 12, y + 8),
+        let point = |(x, y, z): (usize, usize, f64)| {
+            if hole(x, y) {
+                format!("{} {} No Data\n", x + 12, y + 8)
+            } else {
+                format!("{} {} {z:.6}\n", x + 12, y + 8)
+            }
         };
         head.to_owned() + &points.map(point).collect::<String>() + "#\n"
     };

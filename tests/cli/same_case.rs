@@ -300,9 +300,10 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
     assert_eq!(at_medians.is_some(), is_drawn);
     let at_medians = at_medians.unwrap_or(loss);
     // The result itself: the median that is printed, efficiency, and parts that add up.
-    let drawn = match is_train {
-        true => &result["loss_distribution"],
-        false => &result["uncertainty"]["loss"],
+    let drawn = if is_train {
+        &result["loss_distribution"]
+    } else {
+        &result["uncertainty"]["loss"]
     };
     if is_drawn {
         is(of(drawn, "median_w"), loss, "median of the samples");
@@ -412,9 +413,10 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
             "page of the sensitivity: {stated} {loss}"
         );
     }
-    let columns = match is_drawn {
-        true => "\"loss_w\", \"loss_at_medians_w\", \"loss_p05_w\"",
-        false => "\"loss_w\"",
+    let columns = if is_drawn {
+        "\"loss_w\", \"loss_at_medians_w\", \"loss_p05_w\""
+    } else {
+        "\"loss_w\""
     };
     let set = faces.iter().filter_map(|option| option.split_once('='));
     let axis = |(key, value): (&str, &str)| {
@@ -467,9 +469,10 @@ fn one_loss(bench: &Bench, case: &str, more: &[&str]) {
 fn one_loss_of_a_map(bench: &Bench, case: &str, [torque, speed]: [f64; 2], more: &[&str]) {
     let run = [&["run", case, "--json", "--no-output"][..], more].concat();
     let result = bench.run(&run).well().json();
-    let summary = match result["meshes"].is_array() {
-        true => &result,
-        false => &result["summary"],
+    let summary = if result["meshes"].is_array() {
+        &result
+    } else {
+        &result["summary"]
     };
     let of = |key: &str| summary[key].as_f64().unwrap();
     let map = [

@@ -98,9 +98,10 @@ fn case(export: Export, from_tip: bool, swapped: bool) -> LoadedCase {
     let flanks = [0, 1].map(|body| exported(body, export, from_tip));
     let order = if swapped { [1, 0] } else { [0, 1] };
     let [(_, first), (_, second)] = order.map(|body: usize| flanks[body].clone());
-    let (teeth, torque, speed) = match swapped {
-        false => ("[23, 68]", 145.0, 9000.0),
-        true => ("[68, 23]", 145.0 * 68.0 / 23.0, 9000.0 * 23.0 / 68.0),
+    let (teeth, torque, speed) = if swapped {
+        ("[68, 23]", 145.0 * 68.0 / 23.0, 9000.0 * 23.0 / 68.0)
+    } else {
+        ("[23, 68]", 145.0, 9000.0)
     };
     let text = format!(
         "gears = {{ teeth = {teeth}, module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\", \
@@ -307,9 +308,10 @@ fn a_cut_trace_keeps_its_place() {
         }
         for body in [0, 1] {
             let [low, high] = ARCS[body];
-            let expected = match from_tip {
-                false => [low + start, low + end],
-                true => [high - end, high - start],
+            let expected = if from_tip {
+                [high - end, high - start]
+            } else {
+                [low + start, low + end]
             };
             let found = case.flanks[body].roll_lengths.unwrap();
             let mut arcs = found.map(|roll| roll.si() * roll.si() / (2.0 * BASE[body]));

@@ -163,12 +163,13 @@ fn small_case_without_traces() -> LoadedCase {
 
 fn read_small_case_without_traces() -> LoadedCase {
     let flanks = "surface = { pinion = { rq = \"0.3 um\" }, wheel = { rq = \"0.3 um\" } }";
-    let lines = SMALL_CASE
-        .lines()
-        .map(|line| match line.trim_start().starts_with("surface") {
-            true => flanks,
-            false => line,
-        });
+    let lines = SMALL_CASE.lines().map(|line| {
+        if line.trim_start().starts_with("surface") {
+            flanks
+        } else {
+            line
+        }
+    });
     let text = lines.collect::<Vec<_>>().join("\n");
     let missing = |_: &str| Err(std::io::ErrorKind::NotFound.into());
     case::from_text("case.toml", &text, &missing).unwrap()
@@ -249,7 +250,7 @@ pub fn map_json(bytes: &[u8]) -> bool {
     assert!(!found.summary().is_empty());
     let table = "time_s,torque_nm,speed_rpm\n0,100,2000\n1,120,8000\n2,-50,3000\n";
     let cycle = cycle::cycle(table, None).unwrap();
-    let _ = cycle::evaluate(&found.clone().into(), 0, (&cycle, "cycle"), true);
+    let _ = cycle::evaluate(&found.clone().into(), 0, &cycle, "cycle", true);
     let _ = found.write(&place.path().join("drawn"));
     true
 }

@@ -100,9 +100,10 @@ fn extent(path: &str) -> [f64; 6] {
         let step = if command == 'a' { 7 } else { 2 };
         for values in values.chunks_exact(step) {
             let [x, y] = [values[step - 2], values[step - 1]];
-            at = match command.is_lowercase() {
-                true => [at[0] + x, at[1] + y],
-                false => [x, y],
+            at = if command.is_lowercase() {
+                [at[0] + x, at[1] + y]
+            } else {
+                [x, y]
             };
             points.push(at);
         }
@@ -434,20 +435,19 @@ pub fn animated(page: &str) -> String {
     // The middle of the drawing of the gears, with their names at its corners.
     let (mut gears, mut names) = (String::new(), String::new());
     for part in body.split_inclusive("</text>") {
-        match part.contains(" teeth</text>") {
-            true => {
-                let name = part.rsplit('>').nth(1).unwrap().trim_end_matches("</text");
-                let y = if names.is_empty() {
-                    CROPPED - 10.0
-                } else {
-                    18.0
-                };
-                let _ = write!(
-                    names,
-                    "<text class=\"point\" x=\"12\" y=\"{y}\">{name}</text>"
-                );
-            }
-            false => gears.push_str(part),
+        if part.contains(" teeth</text>") {
+            let name = part.rsplit('>').nth(1).unwrap().trim_end_matches("</text");
+            let y = if names.is_empty() {
+                CROPPED - 10.0
+            } else {
+                18.0
+            };
+            let _ = write!(
+                names,
+                "<text class=\"point\" x=\"12\" y=\"{y}\">{name}</text>"
+            );
+        } else {
+            gears.push_str(part)
         }
     }
     let frame = &facing.body[..facing.body.find("<g clip-path").unwrap()];

@@ -34,13 +34,15 @@ const ROUNDING: f64 = 0.01;
 
 fn covariance(at: &Parameters, a: &Solved, b: &Solved) -> f64 {
     let [windows, lengths @ ..] = *at;
-    let of_windows = match a.windows == b.windows {
-        true => windows * windows,
-        false => 0.0,
+    let of_windows = if a.windows == b.windows {
+        windows * windows
+    } else {
+        0.0
     };
-    let own = match a.name == b.name {
-        true => ROUNDING * ROUNDING,
-        false => 0.0,
+    let own = if a.name == b.name {
+        ROUNDING * ROUNDING
+    } else {
+        0.0
     };
     model_correlation(lengths, a.conditions, b.conditions) + of_windows + own
 }

@@ -96,9 +96,10 @@ pub fn digits(value: f64) -> String {
         return format!("{value:.3e}");
     }
     let text = format!("{value:.*}", (5 - size).max(0) as usize);
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
     }
 }
 

@@ -508,9 +508,10 @@ pub fn part_table() -> String {
         let is_in = |row: &&Row| (ends[0]..ends[1]).contains(&row.fast().smooth_film_um);
         let parts: Vec<[f64; 2]> = all.iter().filter(is_in).map(Row::boundary).collect();
         let sum = |k: usize| parts.iter().map(|part| part[k]).sum::<f64>();
-        let name = match ends[1].is_finite() {
-            true => format!("{} to {} µm", ends[0], ends[1]),
-            false => format!("above {} µm", ends[0]),
+        let name = if ends[1].is_finite() {
+            format!("{} to {} µm", ends[0], ends[1])
+        } else {
+            format!("above {} µm", ends[0])
         };
         let (count, ratio) = (parts.len(), sum(1) / sum(0));
         let _ = writeln!(
@@ -643,9 +644,10 @@ fn listed(rows: &[Row]) -> String {
             row.error(),
             row.film_error(FILM_ONLY),
             NINETY_PERCENT * row.deviation(true),
-            match row.is_covered(true) {
-                true => "yes",
-                false => "**no**",
+            if row.is_covered(true) {
+                "yes"
+            } else {
+                "**no**"
             },
         );
     }

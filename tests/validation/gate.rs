@@ -197,9 +197,10 @@ impl Gate {
     fn number_text(&self) -> String {
         let digits = self.digits;
         let value = format!("{:.digits$}", self.value.value);
-        match value.trim_start_matches(['-', '0', '.']).is_empty() {
-            true => value.trim_start_matches('-').to_owned(),
-            false => value,
+        if value.trim_start_matches(['-', '0', '.']).is_empty() {
+            value.trim_start_matches('-').to_owned()
+        } else {
+            value
         }
     }
 

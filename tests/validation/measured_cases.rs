@@ -73,9 +73,10 @@ impl Sampled {
         Estimate {
             value: mean(&values),
             // Films without contacts lose the same in every window, within round-off.
-            standard_error: match spread > 1e-12 * mean(&losses) {
-                true => self.error_w * deviation(&values) / spread,
-                false => 0.0,
+            standard_error: if spread > 1e-12 * mean(&losses) {
+                self.error_w * deviation(&values) / spread
+            } else {
+                0.0
             },
         }
     }

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::study::Group;
+use super::study::KeyGroup;
 
 /// `asperity oil`
 #[derive(Debug)]
 pub struct Oils;
 
-impl Group for Oils {
+impl KeyGroup for Oils {
     const NAME: &'static str = "oil ";
 }
 

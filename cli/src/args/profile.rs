@@ -11,7 +11,7 @@ use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::generate::Method;
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::study::{Group, StudyCommand};
+use super::study::{KeyGroup, StudyCommand};
 use super::values::{choice, cutoff};
 
 /// Commands on profiles.
@@ -49,7 +49,7 @@ pub enum ProfileCommand {
 #[derive(Debug)]
 pub struct Profiles;
 
-impl Group for Profiles {
+impl KeyGroup for Profiles {
     const NAME: &'static str = "profile ";
 }
 
@@ -267,9 +267,10 @@ impl std::str::FromStr for Wavelengths {
         let (longest, shortest) = text.split_once(':').ok_or(FORM)?;
         let read = |part: &str| part.parse::<Length>().map_err(|error| error.to_string());
         let (longest, shortest) = (read(longest)?, read(shortest)?);
-        match longest > shortest && shortest.si() > 0.0 {
-            true => Ok(Self { longest, shortest }),
-            false => Err(FORM.to_owned()),
+        if longest > shortest && shortest.si() > 0.0 {
+            Ok(Self { longest, shortest })
+        } else {
+            Err(FORM.to_owned())
         }
     }
 }
@@ -294,9 +295,10 @@ impl std::str::FromStr for Ratios {
             read(upper).map_err(|_| FORM)?,
             read(lower).map_err(|_| FORM)?,
         );
-        match 0.0 <= upper && upper < lower && lower <= 100.0 {
-            true => Ok(Self { upper, lower }),
-            false => Err(FORM.to_owned()),
+        if 0.0 <= upper && upper < lower && lower <= 100.0 {
+            Ok(Self { upper, lower })
+        } else {
+            Err(FORM.to_owned())
         }
     }
 }

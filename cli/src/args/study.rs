@@ -66,7 +66,7 @@ pub struct StudyArgs<S: StudySettings<Input: Given> + Args> {
 }
 
 /// Commands that have their studies.
-pub trait Group: Debug {
+pub trait KeyGroup: Debug {
     /// Name of the command, with a space behind it; empty for the program itself.
     const NAME: &'static str;
 }
@@ -75,7 +75,7 @@ pub trait Group: Debug {
 #[derive(Debug)]
 pub struct Top;
 
-impl Group for Top {
+impl KeyGroup for Top {
     const NAME: &'static str = "";
 }
 
@@ -129,9 +129,10 @@ pub fn command<S: StudySettings<Input: Given> + Args>(name: &'static str) -> Com
 /// Examples and method, below the options.
 fn help<S: StudySettings>(command: &Command) -> String {
     let stated = |name: &str, value: &str| {
-        let value = match value.contains(' ') {
-            true => format!("\"{value}\""),
-            false => value.to_owned(),
+        let value = if value.contains(' ') {
+            format!("\"{value}\"")
+        } else {
+            value.to_owned()
         };
         let argument = command.get_arguments().find(|arg| arg.get_id() == name);
         match argument.map(|arg| (arg.get_short(), arg.get_long())) {
@@ -155,7 +156,7 @@ fn help<S: StudySettings>(command: &Command) -> String {
 }
 
 /// The studies of a command by their names there.
-fn of_group<G: Group>() -> impl Iterator<Item = (&'static str, Registered)> {
+fn of_group<G: KeyGroup>() -> impl Iterator<Item = (&'static str, Registered)> {
     let own = |study: Registered| {
         let name = study.words.strip_prefix(G::NAME)?;
         (!name.contains(' ')).then_some((name, study))
@@ -163,14 +164,14 @@ fn of_group<G: Group>() -> impl Iterator<Item = (&'static str, Registered)> {
     every_study!(registered).into_iter().filter_map(own)
 }
 
-impl<G: Group> StudyCommand<G> {
+impl<G: KeyGroup> StudyCommand<G> {
     /// Names of the studies.
     pub fn names() -> impl Iterator<Item = &'static str> {
         of_group::<G>().map(|(name, _)| name)
     }
 }
 
-impl<G: Group> FromArgMatches for StudyCommand<G> {
+impl<G: KeyGroup> FromArgMatches for StudyCommand<G> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let (name, arguments) = matches.subcommand().unwrap_or(("", matches));
         let study = of_group::<G>().find(|(known, _)| *known == name);
@@ -188,7 +189,7 @@ impl<G: Group> FromArgMatches for StudyCommand<G> {
     }
 }
 
-impl<G: Group> Subcommand for StudyCommand<G> {
+impl<G: KeyGroup> Subcommand for StudyCommand<G> {
     fn augment_subcommands(command: Command) -> Command {
         command.subcommands(of_group::<G>().map(|(name, study)| (study.command)(name)))
     }
@@ -274,9 +275,10 @@ mod tests {
                     Value::Null => String::new(),
                     other => other.to_string(),
                 };
-                let of_option = match option.get_action().takes_values() {
-                    true => option.get_default_values(),
-                    false => &[],
+                let of_option = if option.get_action().takes_values() {
+                    option.get_default_values()
+                } else {
+                    &[]
                 };
                 let of_option = of_option.iter().map(|text| text.to_string_lossy());
                 assert_eq!(of_option.collect::<String>(), default, "{what}");

@@ -80,23 +80,23 @@ struct ValidCase {
     defaults: Vec<DefaultUsed>,
     work: Cost,
     /// Meshes in which a flank has several traces.
-    traced: Vec<Traced>,
+    traced: Vec<TracedCase>,
     /// Whether the run adds offsets until the sampling error of the loss is small.
     may_need_more: bool,
 }
 
 /// Traces of a mesh in which a flank has several.
 #[derive(serde::Serialize)]
-struct Traced {
+struct TracedCase {
     /// Traces of pinion and wheel.
     traces: [usize; 2],
     /// Number of teeth with a trace.
     teeth: [usize; 2],
 }
 
-fn traced(loaded: &LoadedCase) -> Option<Traced> {
+fn traced(loaded: &LoadedCase) -> Option<TracedCase> {
     let sampled = loaded.sampled.as_ref()?;
-    Some(Traced {
+    Some(TracedCase {
         traces: [0, 1].map(|body: usize| sampled.traces[body].len()),
         teeth: loaded.surfaces.teeth()?,
     })
@@ -157,9 +157,10 @@ fn report_of<'a>(name: &str, valid: &ValidCase, lists_defaults: bool) -> Report<
         .verdict([work])
         .text(traced);
     let listed = defaults(&valid.defaults, lists_defaults);
-    let report = match lists_defaults {
-        true => report.code(listed),
-        false => report.text([listed.trim_end()]),
+    let report = if lists_defaults {
+        report.code(listed)
+    } else {
+        report.text([listed.trim_end()])
     };
     report.warning(&valid.warnings)
 }

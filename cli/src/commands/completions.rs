@@ -117,9 +117,10 @@ mod tests {
     fn the_commands_stay_few() {
         /// Commands that run: one with sub-commands only names them.
         fn count(command: &Command) -> usize {
-            match command.has_subcommands() {
-                true => command.get_subcommands().map(count).sum(),
-                false => 1,
+            if command.has_subcommands() {
+                command.get_subcommands().map(count).sum()
+            } else {
+                1
             }
         }
         let count = count(&Cli::command());

@@ -43,15 +43,16 @@ pub fn demo(folder: Option<&Path>, worked: Worked<'_>, common: &Common) -> Resul
 }
 
 fn refuse_existing(folder: &Path) -> Result<(), Failure> {
-    match folder.exists() {
-        false => Ok(()),
-        true => Err(Failure::new(
+    if folder.exists() {
+        Err(Failure::new(
             Code::E401,
             format!(
                 "{}: exists already; name another folder, e.g. asperity demo my-first-case",
                 folder.display()
             ),
-        )),
+        ))
+    } else {
+        Ok(())
     }
 }
 

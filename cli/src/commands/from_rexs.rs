@@ -26,9 +26,10 @@ pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
     let wrong = |error: Fault| error.about(path.display());
     let model = Model::read(&bytes).map_err(wrong)?;
     if args.stage.is_none() && args.output.is_none() && !args.all {
-        return match common.json {
-            true => print_json(&contents(&model).map_err(wrong)?),
-            false => print_text(common, &listed(&model).map_err(wrong)?),
+        return if common.json {
+            print_json(&contents(&model).map_err(wrong)?)
+        } else {
+            print_text(common, &listed(&model).map_err(wrong)?)
         };
     }
     let output = args.output.as_deref().unwrap_or(Path::new("-"));
@@ -158,8 +159,9 @@ fn point_text(point: &OperatingPoint) -> String {
             value.map(|value| format!("{} {unit}", (1e5 * value).round() / 1e5))
         })
         .collect();
-    match values.is_empty() {
-        true => format!("{name}: nothing known"),
-        false => format!("{name}: {}", values.join(", ")),
+    if values.is_empty() {
+        format!("{name}: nothing known")
+    } else {
+        format!("{name}: {}", values.join(", "))
     }
 }

@@ -144,12 +144,13 @@ impl Given for CaseOrFinishes {
 
     fn read(args: &GivenCaseOrFinishes, set: &SetArgs) -> Result<Subject<Self>, Failure> {
         let file = &args.case;
-        let given = match args.finishes.is_empty() && args.variants.texts.is_empty() {
-            true => vec![Finish {
+        let given = if args.finishes.is_empty() && args.variants.texts.is_empty() {
+            vec![Finish {
                 name: stem(file).to_string_lossy().into_owned(),
                 case: load_train(file, set, None)?,
-            }],
-            false => finishes(file, set, &args.finishes, &args.variants.texts)?,
+            }]
+        } else {
+            finishes(file, set, &args.finishes, &args.variants.texts)?
         };
         Ok(Subject {
             input: Self(Finishes(given)),

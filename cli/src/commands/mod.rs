@@ -131,24 +131,26 @@ fn mesh_of<'a>(train: &str, title: &'a str) -> &'a str {
 
 /// Refuses the folder that the user did not name if it holds the result of a case with another title, `older`.
 fn refuse_other(folder: &Path, title: &str, older: &str) -> Result<(), Failure> {
-    match older == title {
-        true => Ok(()),
-        false => Err(Failure::new(
+    if older == title {
+        Ok(())
+    } else {
+        Err(Failure::new(
             Code::E401,
             format!(
                 "{}: holds the result of another case ({}); choose another with -o, or name it with -o to replace it",
                 shown(folder),
                 asperity_storage::one_line(older)
             ),
-        )),
+        ))
     }
 }
 
 /// Name of a file without extension.
 fn stem(path: &Path) -> &OsStr {
-    match path == Path::new("-") {
-        true => OsStr::new("stdin"),
-        false => path.file_stem().unwrap_or_default(),
+    if path == Path::new("-") {
+        OsStr::new("stdin")
+    } else {
+        path.file_stem().unwrap_or_default()
     }
 }
 

@@ -51,12 +51,13 @@ fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Fa
 
 /// Rejects keys of a case and the name of a mesh where no case is given.
 fn refuse_keys(set: &SetArgs, case: Option<&LoadedCase>) -> Result<(), Failure> {
-    match case.is_none() && (!set.keys.is_empty() || set.mesh.is_some()) {
-        true => Err(Failure::new(
+    if case.is_none() && (!set.keys.is_empty() || set.mesh.is_some()) {
+        Err(Failure::new(
             Code::E205,
             "--set and --mesh change a case, and the oil is not of one",
-        )),
-        false => Ok(()),
+        ))
+    } else {
+        Ok(())
     }
 }
 

@@ -130,9 +130,10 @@ pub fn keys(common: &Common) -> Result<(), Failure> {
 
 /// `asperity schema`, of a case or of the settings of the studies
 pub fn schema(of_settings: bool) -> Result<(), Failure> {
-    print_json(&match of_settings {
-        true => schema_of_settings(&every_study!(described)),
-        false => asperity::case::schema(),
+    print_json(&if of_settings {
+        schema_of_settings(&every_study!(described))
+    } else {
+        asperity::case::schema()
     })
 }
 

@@ -68,9 +68,10 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let results = Results::from(&outcome);
     // The line about an earlier result.
     let replaced = usize::from(target.as_ref().is_some_and(|target| target.older.is_some()));
-    let text = match common.notes || args.models || args.laws || args.explain_defaults {
-        true => results.with_each(&|result| details(result, args, common.notes)),
-        false => results.brief(columns(), FIRST_SCREEN - replaced),
+    let text = if common.notes || args.models || args.laws || args.explain_defaults {
+        results.with_each(&|result| details(result, args, common.notes))
+    } else {
+        results.brief(columns(), FIRST_SCREEN - replaced)
     };
     let count = runs().map(|run| run.warnings.len()).sum();
     let text = text + &last_lines(target.as_ref(), &train.title, common.notes, count);
@@ -79,9 +80,10 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
 
 /// The summary of a run, with what `args` request in addition.
 fn details(result: &RunResult, args: &RunArgs, notes: bool) -> String {
-    let mut text = match notes {
-        true => report::summary_within(result, columns()),
-        false => report::brief(result, columns(), usize::MAX),
+    let mut text = if notes {
+        report::summary_within(result, columns())
+    } else {
+        report::brief(result, columns(), usize::MAX)
     };
     if args.models {
         text.push_str(&report::models(result));

@@ -8,7 +8,7 @@ use asperity_studies::every_study;
 use clap::{Arg, ArgMatches, Args, FromArgMatches as _};
 
 use super::refuse_other;
-use crate::args::{Common, Given, Group, StudyArgs, StudyCommand, command, named};
+use crate::args::{Common, Given, KeyGroup, StudyArgs, StudyCommand, command, named};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING, print_report, print_text};
 
@@ -26,7 +26,7 @@ fn registered<S: StudySettings<Input: Given> + Args>() -> (&'static str, Run) {
 }
 
 /// Runs one of the studies.
-pub fn study<G: Group>(command: &StudyCommand<G>, common: &Common) -> Result<(), Failure> {
+pub fn study<G: KeyGroup>(command: &StudyCommand<G>, common: &Common) -> Result<(), Failure> {
     let mut all = every_study!(registered).into_iter();
     let run = all.find(|(words, _)| *words == command.words);
     run.map_or(Ok(()), |(_, run)| run(&command.arguments, common))

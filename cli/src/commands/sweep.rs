@@ -83,7 +83,11 @@ fn text_of_plan(plan: &Plan) -> String {
             plan.checked
         ));
     }
-    text.extend(plan.refused.iter().map(line_of));
+    text.extend(
+        plan.refused
+            .iter()
+            .map(|(code, refused)| line_of(code, refused)),
+    );
     let minutes = plan.seconds / 60.0;
     text.push_str(&format!(
         "about {minutes:.1} min on this machine, less where cases share their contacts; {:.2} MB\n",
@@ -93,7 +97,7 @@ fn text_of_plan(plan: &Plan) -> String {
 }
 
 /// Line about the cases that cannot be resolved, by error code.
-fn line_of((code, refused): (&Code, &Refused)) -> String {
+fn line_of(code: &Code, refused: &Refused) -> String {
     let Refused {
         count,
         first,
@@ -120,11 +124,15 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
             progress.begin("cases");
             let count: usize = refused.values().map(|refused| refused.count).sum();
             if count > 0 && !common.quiet {
-                let lines: String = refused.iter().map(line_of).collect();
+                let lines: String = refused
+                    .iter()
+                    .map(|(code, refused)| line_of(code, refused))
+                    .collect();
                 let rows = "cases cannot be run; their rows hold only the error code";
-                let cases = match checked < of {
-                    true => format!("{checked} checked"),
-                    false => of.to_string(),
+                let cases = if checked < of {
+                    format!("{checked} checked")
+                } else {
+                    of.to_string()
                 };
                 let warning = Warning::new(Code::W430, format!("{count} of {cases} {rows}"));
                 progress.note(&format!("{warning}\n{}", lines.trim_end()));

@@ -129,7 +129,7 @@ impl Evidence {
             let left = narrowed(&expected, loss, &measurements)?;
             let planned = || planned.iter().find(|curves| curves.key == effort.key);
             let hours = effort.hours.or_else(|| Some(planned()?.hours))?;
-            Some(EvidenceRow::new((effort.key, words, hours), loss, left))
+            Some(EvidenceRow::new(effort.key, words, hours, loss, left))
         };
         let mut rows: Vec<EvidenceRow> = efforts.iter().filter_map(row).collect();
         rows.sort_by(|a, b| a.width.total_cmp(&b.width));

@@ -104,10 +104,14 @@ const TABLE: (&str, &str) = ("table", "the user's table");
 type Drags = Vec<(usize, f64)>;
 
 /// Kind and law of a part, its loss torque, and the inputs outside the range of the law.
-type Loss = ((&'static str, &'static str), Torque, Vec<OutOfRange>);
+type PartLoss = ((&'static str, &'static str), Torque, Vec<OutOfRange>);
 
 /// Speeds and torques of the shafts.
-type Turning<'a> = (&'a [AngularSpeed], &'a Torques);
+#[derive(Clone, Copy)]
+struct Turning<'a> {
+    speeds: &'a [AngularSpeed],
+    torques: &'a Torques,
+}
 
 /// The gears on their shafts.
 struct Gears<'a> {
@@ -152,7 +156,11 @@ impl<'a> Gears<'a> {
         let there = self.shafting.at(at);
         let speeds = there.shafts.speeds()?;
         let torques = there.loading_torques(&speeds, losses)?;
-        let found = self.dragging(gearbox, (&speeds, &torques), (at.torque, temperature))?;
+        let turning = Turning {
+            speeds: &speeds,
+            torques: &torques,
+        };
+        let found = self.dragging(gearbox, turning, at.torque, temperature)?;
         Ok(found.into_iter().map(|(_, part)| part).collect())
     }
 
@@ -166,8 +174,12 @@ impl<'a> Gears<'a> {
         let shafting = &self.shafting;
         let temperature = self.cases[0].stated_temperature;
         let torques = shafting.loading_torques(&flow.speeds, losses)?;
-        let operation = (shafting.operation().torque, temperature);
-        let found = self.dragging(gearbox, (&flow.speeds, &torques), operation)?;
+        let torque = shafting.operation().torque;
+        let turning = Turning {
+            speeds: &flow.speeds,
+            torques: &torques,
+        };
+        let found = self.dragging(gearbox, turning, torque, temperature)?;
         let mut drags = vec![Torque::from_si(0.0); flow.speeds.len()];
         for (of_part, part) in &found {
             for (shaft, sign) in of_part {
@@ -201,7 +213,8 @@ impl<'a> Gears<'a> {
         &self,
         gearbox: &Gearbox,
         turning: Turning<'_>,
-        (torque, temperature): (Torque, Temperature),
+        torque: Torque,
+        temperature: Temperature,
     ) -> Result<Vec<(Drags, GearboxPart)>, PositionError> {
         let temperature = gearbox.temperature.unwrap_or(temperature);
         let mut found = Vec::with_capacity(gearbox.parts.len());
@@ -214,8 +227,8 @@ impl<'a> Gears<'a> {
                 temperature,
             };
             let ((kind, law), torque, outside) =
-                (self.loss(gearbox, (part.shaft, &part.kind), turning, &at)).map_err(named)?;
-            let of_part = GearboxPart::new(&part.name, (kind, law), (torque, at.speed), &outside);
+                (self.loss(gearbox, part.shaft, &part.kind, turning, &at)).map_err(named)?;
+            let of_part = GearboxPart::new(&part.name, [kind, law], torque, at.speed, &outside);
             let against = shafts
                 .into_iter()
                 .map(|(shaft, share)| (shaft, share * relative.signum()));
@@ -231,7 +244,7 @@ impl<'a> Gears<'a> {
         kind: &PartKind,
         turning: Turning<'_>,
     ) -> Result<(f64, Drags), PositionError> {
-        let speed_of = |shaft: usize| turning.0[shaft].si();
+        let speed_of = |shaft: usize| turning.speeds[shaft].si();
         Ok(match *kind {
             PartKind::Table {
                 against: Some(other),
@@ -253,10 +266,11 @@ impl<'a> Gears<'a> {
     fn loss(
         &self,
         gearbox: &Gearbox,
-        (shaft, kind): (usize, &PartKind),
+        shaft: usize,
+        kind: &PartKind,
         turning: Turning<'_>,
         at: &At,
-    ) -> Result<Loss, PositionError> {
+    ) -> Result<PartLoss, PositionError> {
         let inside = |law, torque| Ok((law, torque, Vec::new()));
         // A shaft that does not turn loses nothing.
         let stands = at.speed.si() == 0.0;
@@ -280,7 +294,7 @@ impl<'a> Gears<'a> {
                         number,
                         locating,
                     } => {
-                        let forces = self.forces(gearbox, shaft, turning.1)?;
+                        let forces = self.forces(gearbox, shaft, turning.torques)?;
                         let BearingLoad { radial, axial } =
                             bearing_loads(*places, *locating, &forces)?[*number];
                         [radial, axial]
@@ -303,7 +317,7 @@ impl<'a> Gears<'a> {
                 Ok((BEARING, torque.value.total() * count, torque.outside))
             }
             PartKind::Jet { stage, flow, speed } => {
-                inside(JET, jet_torque(self.cases[*stage], (*flow, *speed), at)?)
+                inside(JET, jet_torque(self.cases[*stage], *flow, *speed, at)?)
             }
             PartKind::Table { table, .. } => inside(TABLE, table_torque(table, at)?),
         }
@@ -318,7 +332,7 @@ impl<'a> Gears<'a> {
     fn planet(
         &self,
         stage: usize,
-        (speeds, torques): Turning<'_>,
+        turning: Turning<'_>,
     ) -> Result<(&PlanetarySet, PlanetarySpeeds, PlanetaryOperation), PositionError> {
         let StageKind::Planetary {
             set,
@@ -328,8 +342,8 @@ impl<'a> Gears<'a> {
             return Err(PositionError::no_profile());
         };
         let gears = self.shafting.shafts.stages[stage].gears;
-        let [sun_speed, ring_speed] = gears.map(|shaft| speeds[shaft]);
-        let [sun_torque, _, _] = torques.stages[stage];
+        let [sun_speed, ring_speed] = gears.map(|shaft| turning.speeds[shaft]);
+        let [sun_torque, _, _] = turning.torques.stages[stage];
         let operation = PlanetaryOperation {
             sun_torque,
             sun_speed,
@@ -370,9 +384,9 @@ impl<'a> Gears<'a> {
                 ..
             } = &gearbox.places[stage];
             // Without need of a place it does not matter.
-            let at = (at.unwrap_or_default(), angle.unwrap_or_default());
+            let (at, direction) = (at.unwrap_or_default(), angle.unwrap_or_default());
             let [torque, _, _] = torques.stages[stage];
-            let of_gears = gears.shaft_forces(torque, at, *hand == Some(Hand::Left))?;
+            let of_gears = gears.shaft_forces(torque, at, direction, *hand == Some(Hand::Left))?;
             let balanced = |on: ShaftForce| ShaftForce {
                 force: [0.0, 0.0, on.force[2]],
                 arm: [0.0; 2],
@@ -392,7 +406,8 @@ impl<'a> Gears<'a> {
 /// Torque of an oil jet onto the gears of `case` at its pinion.
 fn jet_torque(
     case: &Case,
-    (flow, speed): (VolumeFlow, Speed),
+    flow: VolumeFlow,
+    speed: Speed,
     at: &At,
 ) -> Result<Torque, PositionError> {
     let oil = case.lubricant.at(at.temperature)?.value;

@@ -9,12 +9,12 @@ use asperity_contact::subsurface::{Peak, graded_depths, subsurface_stress};
 use asperity_core::quantity::Length;
 
 use crate::contacts::{Displacements, Pressing, WindowContact, pressing_history};
-use crate::lubrication::{LubricatedPosition, Lubrication, RoughFilm, doubts};
+use crate::lubrication::{LubricatedMesh, LubricatedPosition, RoughFilm, SmoothPosition, doubts};
 use crate::mesh::MeshPosition;
 use crate::result::{ContactView, HistoryRow, PatchFields, PositionFields, SubsurfaceFields};
 use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
-use asperity_case::flanks::WindowPair;
+use asperity_case::flanks::{OffsetIndex, WindowPair};
 use asperity_case::window_pressures::{LoadStep, Pressed};
 
 /// The contact of one position at its first offset.
@@ -48,7 +48,7 @@ impl Picture {
     /// # Errors
     /// When the contact has no solution.
     pub(crate) fn new(
-        lubrication: &Lubrication<'_>,
+        lubrication: &LubricatedMesh<'_>,
         position: &LubricatedPosition,
         contacts: &[Arc<WindowContact>],
         with_fields: bool,
@@ -57,7 +57,11 @@ impl Picture {
         let Some(first) = contacts.first() else {
             return Ok(None);
         };
-        let Some(pair) = lubrication.pair(&position.at, first, (0, contacts.len()))? else {
+        let offset = OffsetIndex {
+            k: 0,
+            count: contacts.len(),
+        };
+        let Some(pair) = lubrication.pair(&position.at, first, offset)? else {
             return Ok(None);
         };
         let mut pressed = match &position.pressed {
@@ -78,7 +82,7 @@ impl Picture {
         }
         let (mut fields, stress) = fields(case, position, &pair, pressed)?;
         if with_fields {
-            fields.patch = patch(lubrication, position, (first, contacts.len()))?;
+            fields.patch = patch(lubrication, position, first, contacts.len())?;
         }
         Ok(Some(Self {
             view: view(&fields, &position.at),
@@ -91,9 +95,10 @@ impl Picture {
 
 /// The first patch of a position, of `count` windows; `None` of lines, and where the flanks do not touch.
 fn patch(
-    lubrication: &Lubrication<'_>,
+    lubrication: &LubricatedMesh<'_>,
     position: &LubricatedPosition,
-    (contact, count): (&WindowContact, usize),
+    contact: &WindowContact,
+    count: usize,
 ) -> Result<Option<PatchFields>, PositionError> {
     let Some(share) = position.offsets[0].solved else {
         return Ok(None);
@@ -102,7 +107,10 @@ fn patch(
         return Ok(None);
     }
     let (of_pair, ..) = lubrication.surfaces.met(position.at.zone, 0, count);
-    let of_position = (&position.at, &position.film);
+    let of_position = SmoothPosition {
+        at: &position.at,
+        film: &position.film,
+    };
     let film = RoughFilm::at(lubrication.case, lubrication.laws, of_pair, of_position)?;
     film.map_or(Ok(None), |film| film.patch(&position.at, contact, &share))
 }
@@ -157,14 +165,14 @@ fn fields(
             .history
             .iter()
             .enumerate()
-            .map(history_row)
+            .map(|(index, step)| history_row(index, step))
             .collect(),
         patch: None,
     };
     Ok((fields, stress.flatten()))
 }
 
-fn history_row((index, step): (usize, &LoadStep)) -> HistoryRow {
+fn history_row(index: usize, step: &LoadStep) -> HistoryRow {
     HistoryRow {
         step: index + 1,
         approach: step.approach,

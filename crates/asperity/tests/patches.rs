@@ -123,9 +123,10 @@ fn file_of(
         for column in 0..columns {
             let (x, y) = (column as f64, 2.0 * row as f64);
             let z = height(x, y);
-            text += &match z.is_finite() {
-                true => format!("{z:.3} "),
-                false => "BAD ".to_owned(),
+            text += &if z.is_finite() {
+                format!("{z:.3} ")
+            } else {
+                "BAD ".to_owned()
             };
         }
         text.push('\n');

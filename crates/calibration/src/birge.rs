@@ -48,9 +48,10 @@ impl Scatter {
     /// hold, otherwise Student's t, because the errors are then estimated from the residuals.
     #[must_use]
     pub fn quantile(&self, confidence: f64) -> f64 {
-        match self.ratio() > 1.0 {
-            true => student_t_quantile(confidence, self.freedom as f64),
-            false => standard_normal_quantile(0.5 * (1.0 + confidence)),
+        if self.ratio() > 1.0 {
+            student_t_quantile(confidence, self.freedom as f64)
+        } else {
+            standard_normal_quantile(0.5 * (1.0 + confidence))
         }
     }
 }

@@ -18,7 +18,8 @@ const LEAST_PIVOT: f64 = 1e-3;
 /// between all `parameters`.
 #[must_use]
 pub fn block(
-    (source, is_simulated): (&str, bool),
+    source: &str,
+    is_simulated: bool,
     parameters: &[FittedParameter],
     correlations: &[Vec<f64>],
 ) -> String {
@@ -163,7 +164,7 @@ mod tests {
             fitted("eyring_stress", 4.321e6, Verdict::Identified),
         ];
         let correlations = vec![vec![-0.3; 4]; 4];
-        let text = block(("rig.csv \"first\"", true), &all, &correlations);
+        let text = block("rig.csv \"first\"", true, &all, &correlations);
         let head = "gears = { teeth = [23, 68], module = \"2 mm\", face_width = \"30 mm\" }\n\
                     operation = { torque = \"100 N m\", speed = \"3000 1/min\", bulk_temperature = \"60 °C\" }\n\
                     lubricant = { oil = \"m100\" }\nsurface = { pinion = { rq = \"0.3 um\" } }\n";

@@ -111,9 +111,10 @@ fn report(
     let held_out = rig.held_out(fit)?;
     let (largest, in_sigma) = surface_error(rig, fit)?;
     let table = &rig.table;
-    let origin = match table.is_simulated {
-        true => format!("{SIMULATED} losses of "),
-        false => String::new(),
+    let origin = if table.is_simulated {
+        format!("{SIMULATED} losses of ")
+    } else {
+        String::new()
     };
     let assemblies = table.assemblies();
     let source = format!(
@@ -140,7 +141,7 @@ fn report(
         assemblies,
         identifiability,
         stages: fit.stages.clone(),
-        block: block((&source, table.is_simulated), &parameters, &between),
+        block: block(&source, table.is_simulated, &parameters, &between),
         parameters,
         correlations: between,
         nuisance: nuisance(rig, fit),
@@ -155,7 +156,7 @@ fn report(
             largest_surface_error_sigma: in_sigma,
             bootstrap_samples: samples.len(),
         },
-        points: points(rig, &problem, fit, (&residuals, &calibrated)),
+        points: points(rig, &problem, fit, &residuals, &calibrated),
         warnings,
     })
 }
@@ -197,9 +198,10 @@ impl Rig {
     /// When there are fewer than three rows more than parameters.
     pub(crate) fn check_freedom(&self) -> Result<(), Fault> {
         let [rows, parameters] = [self.table.rows.len(), self.parameters.len()];
-        match rows < parameters + Scatter::LEAST_FREEDOM {
-            true => Err(error::few_rows(&self.table.name, rows, parameters)),
-            false => Ok(()),
+        if rows < parameters + Scatter::LEAST_FREEDOM {
+            Err(error::few_rows(&self.table.name, rows, parameters))
+        } else {
+            Ok(())
         }
     }
 
@@ -377,7 +379,8 @@ fn points(
     rig: &Rig,
     problem: &Problem<'_>,
     fit: &Fit,
-    (residuals, calibrated): (&[f64], &[f64]),
+    residuals: &[f64],
+    calibrated: &[f64],
 ) -> Vec<FittedPoint> {
     let rows = rig
         .table

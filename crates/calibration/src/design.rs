@@ -335,7 +335,7 @@ fn chosen(
         .map(|point| information_of[*point].clone())
         .collect();
     let rest = count.saturating_sub(ends.len());
-    let best = d_optimal(&of_others, (rest, repeats), problem.parameters(), &of_ends);
+    let best = d_optimal(&of_others, rest, repeats, problem.parameters(), &of_ends);
     ends.extend(best.into_iter().map(|k| others[k]));
     ends
 }

@@ -245,12 +245,13 @@ fn next_region(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> 
             .map(|([at, _], (centre, width))| at.clamp(centre - width, centre + width))
             .collect(),
         half_width: axes()
-            .map(
-                |([at, deviation], (centre, width))| match (at - centre).abs() > *width {
-                    true => *width,
-                    false => (WIDTH * deviation).clamp(RANGE[0] * width, RANGE[1] * width),
-                },
-            )
+            .map(|([at, deviation], (centre, width))| {
+                if (at - centre).abs() > *width {
+                    *width
+                } else {
+                    (WIDTH * deviation).clamp(RANGE[0] * width, RANGE[1] * width)
+                }
+            })
             .collect(),
     }
 }

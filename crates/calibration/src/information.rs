@@ -73,9 +73,10 @@ pub fn correlations(covariance: &DMatrix<f64>) -> DMatrix<f64> {
     let deviations: DVector<f64> = covariance.diagonal().map(f64::sqrt);
     DMatrix::from_fn(covariance.nrows(), covariance.ncols(), |i, j| {
         // The diagonal is exactly one, without round-off.
-        match i == j {
-            true => 1.0,
-            false => covariance[(i, j)] / (deviations[i] * deviations[j]),
+        if i == j {
+            1.0
+        } else {
+            covariance[(i, j)] / (deviations[i] * deviations[j])
         }
     })
 }

@@ -25,7 +25,8 @@ pub(crate) fn misspelt(table: &Table, needed: &[&str], known: &[&str]) -> Vec<St
 
 /// A value of every row of `table`, which has rows.
 pub(crate) fn all<T>(
-    (name, table): (&str, &Table),
+    name: &str,
+    table: &Table,
     value: impl Fn(Row<'_>) -> Result<T, RowFault>,
 ) -> Result<Vec<T>, Fault> {
     let file = name.to_owned();

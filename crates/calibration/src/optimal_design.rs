@@ -29,7 +29,8 @@ use crate::information::information;
 #[must_use]
 pub fn d_optimal(
     candidates: &[DMatrix<f64>],
-    (count, repeats): (usize, usize),
+    count: usize,
+    repeats: usize,
     interest: usize,
     prior: &DMatrix<f64>,
 ) -> Vec<usize> {
@@ -107,7 +108,7 @@ mod tests {
     fn a_parabola_is_measured_at_its_ends_and_its_middle() {
         let row = |t: f64| DMatrix::from_row_slice(1, 3, &[1.0, t, t * t]);
         let candidates: Vec<_> = (0..=40).map(|k| row(-1.0 + 0.05 * f64::from(k))).collect();
-        let mut chosen = d_optimal(&candidates, (6, 6), 3, &DMatrix::zeros(3, 3));
+        let mut chosen = d_optimal(&candidates, 6, 6, 3, &DMatrix::zeros(3, 3));
         chosen.sort_unstable();
         assert_eq!(chosen, [0, 0, 20, 20, 40, 40]);
     }
@@ -117,15 +118,15 @@ mod tests {
         // Interest in the slope alone; with a known offset any end would do.
         let row = |t: f64| DMatrix::from_row_slice(1, 2, &[t, 1.0]);
         let candidates: Vec<_> = (0..=10).map(|k| row(0.1 * f64::from(k))).collect();
-        let mut chosen = d_optimal(&candidates, (4, 4), 1, &DMatrix::zeros(2, 2));
+        let mut chosen = d_optimal(&candidates, 4, 4, 1, &DMatrix::zeros(2, 2));
         chosen.sort_unstable();
         assert_eq!(chosen, [0, 0, 10, 10]);
         let known = DMatrix::from_row_slice(2, 2, &[0.0, 0.0, 0.0, 1e9]);
-        assert_eq!(d_optimal(&candidates, (2, 2), 1, &known), [10, 10]);
+        assert_eq!(d_optimal(&candidates, 2, 2, 1, &known), [10, 10]);
         // Without repeats the next best.
-        let mut apart = d_optimal(&candidates, (2, 1), 1, &known);
+        let mut apart = d_optimal(&candidates, 2, 1, 1, &known);
         apart.sort_unstable();
         assert_eq!(apart, [9, 10]);
-        assert!(d_optimal(&[], (2, 2), 1, &known).is_empty());
+        assert!(d_optimal(&[], 2, 2, 1, &known).is_empty());
     }
 }

@@ -43,13 +43,14 @@ impl Rig {
             .filter(|(_, residual)| residual.abs() > OUTLIER)
             .map(|(row, residual)| (row.line, *residual))
             .collect();
-        match outliers.is_empty() {
-            true => Ok(()),
-            false => Err(error::outliers(
+        if outliers.is_empty() {
+            Ok(())
+        } else {
+            Err(error::outliers(
                 &self.table.name,
                 &outliers,
                 self.table.rows.len(),
-            )),
+            ))
         }
     }
 }

@@ -65,9 +65,10 @@ pub fn profile_band<E>(
         };
         let reached = above(REACH) > 0.0;
         is_open[side] = !reached;
-        let steps = match reached {
-            true => find_root(above, 0.0, REACH, 1e-6).map_or(REACH, |root| root.value),
-            false => REACH,
+        let steps = if reached {
+            find_root(above, 0.0, REACH, 1e-6).map_or(REACH, |root| root.value)
+        } else {
+            REACH
         };
         ends[side] = best + sign * steps * deviation;
     }

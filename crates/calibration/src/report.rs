@@ -47,9 +47,10 @@ impl StudyResult for Calibration {
             .on_page()
             .table(correlations("parameter", &names, &self.correlations))
             .on_page();
-        let report = match self.held_out.is_empty() {
-            true => report,
-            false => report.heading(HELD_OUT).table(held_out(self)),
+        let report = if self.held_out.is_empty() {
+            report
+        } else {
+            report.heading(HELD_OUT).table(held_out(self))
         };
         let report = report
             .warning(&self.warnings)
@@ -62,13 +63,14 @@ impl StudyResult for Calibration {
             .on_page()
             .table(before_and_after(self))
             .on_page();
-        let report = match self.identifiability.helpful.is_empty() {
-            true => report,
-            false => report
+        let report = if self.identifiability.helpful.is_empty() {
+            report
+        } else {
+            report
                 .heading("Further measurements that would help most")
                 .on_page()
                 .table(helpful(self))
-                .on_page(),
+                .on_page()
         };
         report
             .section("Nuisance terms")
@@ -210,9 +212,10 @@ fn verdicts(calibration: &Calibration) -> Vec<String> {
         )
     });
     let others = of(Verdict::NotIdentified, &|one| one.name.clone());
-    let mut verdicts = vec![match determined.is_empty() {
-        true => "The points identify no parameter.".to_owned(),
-        false => format!("Identified by the points, in brackets 5 to 95 %: {determined}."),
+    let mut verdicts = vec![if determined.is_empty() {
+        "The points identify no parameter.".to_owned()
+    } else {
+        format!("Identified by the points, in brackets 5 to 95 %: {determined}.")
     }];
     if !held.is_empty() {
         verdicts.push(format!("Identified in part: {held}."));

@@ -158,9 +158,10 @@ impl Rig {
                 })
             })
             .collect();
-        match faults.is_empty() {
-            true => Ok(()),
-            false => Err(error::rows(&self.table.name, &faults)),
+        if faults.is_empty() {
+            Ok(())
+        } else {
+            Err(error::rows(&self.table.name, &faults))
         }
     }
 }
@@ -176,8 +177,9 @@ pub fn parameters(case: &LoadedCase, held: &[CalibratedName]) -> Result<Vec<Para
         .into_iter()
         .filter(|parameter| !held.contains(&parameter.name))
         .collect();
-    match free.is_empty() {
-        true => Err(error::no_parameter(&case.case.title)),
-        false => Ok(free),
+    if free.is_empty() {
+        Err(error::no_parameter(&case.case.title))
+    } else {
+        Ok(free)
     }
 }

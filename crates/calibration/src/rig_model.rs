@@ -41,7 +41,7 @@ pub struct PointLosses {
 }
 
 /// Gear pair at one torque with its stored contacts.
-struct Group {
+struct RigGroup {
     /// Index of the case.
     of: usize,
     case: LoadedCase,
@@ -61,7 +61,7 @@ struct PointContacts {
 
 /// The model at a list of operating points.
 pub struct RigModel {
-    groups: Arc<[Group]>,
+    groups: Arc<[RigGroup]>,
     points: Vec<PointContacts>,
     parameters: Vec<Parameter>,
     evaluations: AtomicUsize,
@@ -87,14 +87,14 @@ impl RigModel {
             });
             let made = changed.and_then(|case| Ok((Run::new(&case).contacts()?, case)));
             let (tables, case) = made.map_err(|source| at(&format!("{torque:.1} N m"), source))?;
-            Ok(Group {
+            Ok(RigGroup {
                 of: *case_number,
                 case,
                 tables,
                 torque: *torque,
             })
         });
-        let groups = groups.collect::<Result<Vec<Group>, Fault>>()?;
+        let groups = groups.collect::<Result<Vec<RigGroup>, Fault>>()?;
         Ok(Self {
             points: assign_contacts(&groups, points),
             groups: groups.into(),
@@ -192,7 +192,7 @@ impl RigModel {
     }
 }
 
-fn assign_contacts(groups: &[Group], points: &[OperatingPoint]) -> Vec<PointContacts> {
+fn assign_contacts(groups: &[RigGroup], points: &[OperatingPoint]) -> Vec<PointContacts> {
     let place = |point: &OperatingPoint| {
         let [torque, speed_rpm, temperature_c] = point.at;
         let far = |k: &usize| (groups[*k].torque - torque).abs();

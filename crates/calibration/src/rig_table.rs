@@ -174,7 +174,7 @@ pub(crate) fn is_simulated(text: &str) -> bool {
     lines.any(|line| line.starts_with('#') && line.contains(SIMULATED))
         || number_table::read("", text).is_ok_and(|table| {
             let marked = |row: Row<'_>| Ok(row.text(SIMULATED_COLUMN).is_some_and(is_true));
-            let rows = number_table::all(("", &table), marked);
+            let rows = number_table::all("", &table, marked);
             rows.is_ok_and(|rows| rows.contains(&true))
         })
 }
@@ -196,7 +196,7 @@ impl RigTable {
     pub fn read(name: &str, text: &str) -> Result<Self, Fault> {
         let table = number_table::read(name, text)?;
         check_columns(name, &table)?;
-        let rows = number_table::all((name, &table), row)?;
+        let rows = number_table::all(name, &table, row)?;
         Ok(Self {
             name: name.to_owned(),
             rows,
@@ -313,9 +313,10 @@ fn row(cells: Row<'_>) -> Result<RigRow, RowFault> {
     };
     let (torque_nm, speed_rpm) = (cells.number("torque_nm")?, cells.number("speed_rpm")?);
     let omega = speed_rpm * PI / 30.0;
-    let (loss, loss_w) = match cells.has("loss_w") {
-        true => ("loss_w", cells.number("loss_w")?),
-        false => ("torque_loss_nm", cells.number("torque_loss_nm")? * omega),
+    let (loss, loss_w) = if cells.has("loss_w") {
+        ("loss_w", cells.number("loss_w")?)
+    } else {
+        ("torque_loss_nm", cells.number("torque_loss_nm")? * omega)
     };
     let row = RigRow {
         line: cells.line,

@@ -135,9 +135,12 @@ impl DesignSettings {
         let rpm = |speed: AngularSpeed| speed.si() * 30.0 / std::f64::consts::PI;
         let speed = rpm(map.speed_max.unwrap_or(case.speed));
         let speed = reach.speed_max_rpm.unwrap_or(speed);
-        let even = |k: usize| match k + 1 == SPEEDS {
-            true => speed,
-            false => rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64)),
+        let even = |k: usize| {
+            if k + 1 == SPEEDS {
+                speed
+            } else {
+                rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64))
+            }
         };
         let at = case.stated_temperature.celsius();
         let [cold, hot] = [at.min(TEMPERATURES[0]), at.max(TEMPERATURES[1])];

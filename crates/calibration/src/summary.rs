@@ -55,13 +55,12 @@ pub(crate) fn in_unit(name: &str, unit: &str) -> String {
 /// The scatter of a fit relative to the stated errors.
 pub(crate) fn scatter(calibration: &Calibration) -> String {
     let ratio = calibration.birge_ratio;
-    let widened = match ratio > 1.0 {
-        true => format!(
+    let widened = if ratio > 1.0 {
+        format!(
             "the residuals are {ratio:.2} times the stated errors, and widen the intervals by this Birge ratio"
-        ),
-        false => {
-            format!("the stated errors explain the residuals, which are {ratio:.2} times as large")
-        }
+        )
+    } else {
+        format!("the stated errors explain the residuals, which are {ratio:.2} times as large")
     };
     format!(
         "{widened}; chi squared {:.1} at {} degrees of freedom",
@@ -157,15 +156,13 @@ pub(crate) fn fitted(calibration: &Calibration) -> Table {
         range bootstrap "bootstrap over assemblies" "" = range(&one.key, one.bootstrap);
         number default "default" "" = bare(&one.key, one.default);
         range default_range "5 to 95 % before" "" = range(&one.key, Some(one.default.ends()));
-        text verdict "by the points" "" = match one.is_open.contains(&true) {
-            true => format!("{} (open)", one.verdict.text()),
-            false => one.verdict.text().to_owned(),
-        };
+        text verdict "by the points" "" = if one.is_open.contains(&true) { format!("{} (open)", one.verdict.text()) } else { one.verdict.text().to_owned() };
     };
     let table = table.brief(&FOLDED);
-    let table = match calibration.assemblies.len() < BOOTSTRAPPED {
-        true => table.unshown_of(&[BOOTSTRAP]),
-        false => table,
+    let table = if calibration.assemblies.len() < BOOTSTRAPPED {
+        table.unshown_of(&[BOOTSTRAP])
+    } else {
+        table
     };
     table.in_file("parameters.csv")
 }

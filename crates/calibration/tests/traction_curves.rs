@@ -34,9 +34,10 @@ const ROELANDS: &str = include_str!("golden/traction_e_fluid_roelands.csv");
 
 /// Oil with the constants and priors of the reference fits, whatever the library says later.
 fn oil(is_mineral: bool) -> OilBase {
-    let (nu, density, family, stress) = match is_mineral {
-        true => ([96.0, 10.6], 882.0, BaseOil::Mineral, 5e6),
-        false => ([30.8, 5.9], 845.0, BaseOil::Pao, 4e6),
+    let (nu, density, family, stress) = if is_mineral {
+        ([96.0, 10.6], 882.0, BaseOil::Mineral, 5e6)
+    } else {
+        ([30.8, 5.9], 845.0, BaseOil::Pao, 4e6)
     };
     let lubricant = LubricantInput {
         viscosity: Some(ViscosityLaw::AstmD341 {
@@ -359,9 +360,10 @@ fn an_export_is_read_as_spreadsheets_and_other_machines_write_it() {
     let quoted = |text: &str, separator: char| -> String {
         let line = |line: &str| {
             let cells: Vec<String> = line.split('\t').map(|cell| format!("\"{cell}\"")).collect();
-            match cells.len() > 3 {
-                true => cells.join(&separator.to_string()) + "\n",
-                false => line.replace('\t', &separator.to_string()) + "\n",
+            if cells.len() > 3 {
+                cells.join(&separator.to_string()) + "\n"
+            } else {
+                line.replace('\t', &separator.to_string()) + "\n"
             }
         };
         text.lines().map(line).collect()
@@ -636,9 +638,10 @@ fn a_plan_leaves_the_errors_of_an_independent_program() {
         let stages = &plan.stages[1..5];
         let points: Vec<usize> = stages.iter().map(|stage| stage.points).collect();
         // The thin oil lacks the film at 120 °C and 1 m/s.
-        let described = match is_mineral {
-            true => [10, 30, 120, 150],
-            false => [10, 30, 100, 120],
+        let described = if is_mineral {
+            [10, 30, 120, 150]
+        } else {
+            [10, 30, 100, 120]
         };
         assert_eq!(points, described);
         for (stage, expected) in stages.iter().zip(expected) {

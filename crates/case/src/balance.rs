@@ -30,13 +30,14 @@ pub fn sum(of: &'static str, unit: &'static str, total: f64, parts: &[f64]) -> R
         finite(of, unit, value)?;
     }
     let parts: f64 = parts.iter().sum();
-    match (parts - total).abs() <= TOLERANCE * total.abs() {
-        true => Ok(()),
-        false => Err(Fault::internal(format!(
+    if (parts - total).abs() <= TOLERANCE * total.abs() {
+        Ok(())
+    } else {
+        Err(Fault::internal(format!(
             "{of} is {} {unit}, and its parts together are {} {unit}",
             number(total),
             number(parts)
-        ))),
+        )))
     }
 }
 
@@ -53,9 +54,10 @@ pub fn sum(of: &'static str, unit: &'static str, total: f64, parts: &[f64]) -> R
 /// assert_eq!(of(0.98).unwrap_err().code(), "E501");
 /// ```
 pub fn efficiency(of: &'static str, value: f64, loss: f64, input: f64) -> Result<(), Fault> {
-    match (0.0..=1.0).contains(&value) {
-        true => sum(of, "-", 1.0, &[value, loss / input]),
-        false => Err(impossible_efficiency(of, value)),
+    if (0.0..=1.0).contains(&value) {
+        sum(of, "-", 1.0, &[value, loss / input])
+    } else {
+        Err(impossible_efficiency(of, value))
     }
 }
 
@@ -64,11 +66,12 @@ pub fn efficiency(of: &'static str, value: f64, loss: f64, input: f64) -> Result
 /// # Errors
 /// If the number is infinite or not a number.
 pub fn finite(of: &'static str, unit: &'static str, value: f64) -> Result<(), Fault> {
-    match value.is_finite() {
-        true => Ok(()),
-        false => Err(Fault::new(
+    if value.is_finite() {
+        Ok(())
+    } else {
+        Err(Fault::new(
             Code::E308,
             format!("{of} is {} {unit}, which is not a result", number(value)),
-        )),
+        ))
     }
 }

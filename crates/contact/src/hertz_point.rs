@@ -64,10 +64,7 @@ impl HertzPoint {
         let curvature = 0.5 / x + 0.5 / y;
         let long = (1.5 * f * integrals.second / (PI * e * square * curvature)).cbrt();
         let short = long * square.sqrt();
-        let half_axes = match x <= y {
-            true => [short, long],
-            false => [long, short],
-        };
+        let half_axes = if x <= y { [short, long] } else { [long, short] };
         Ok(Self {
             half_axes: half_axes.map(Length::from_si),
             max_pressure: Pressure::from_si(1.5 * f / (PI * long * short)),

@@ -258,10 +258,13 @@ fn a_patch_with_broken_rows_is_refused() {
         .solve(&problem(3, 1e-6), &SolverSettings::default())
         .unwrap_err();
     assert!(error.to_string().contains("12 points in 3 rows"), "{error}");
-    let cell = (
-        Length::from_si(1e-6),
-        lead(3, Length::from_si(1e-6)),
+    let spacing = Length::from_si(1e-6);
+    let found = line.displacement(
+        spacing,
+        lead(3, spacing),
         CYLINDER.modulus,
+        &gap,
+        &mut [0.0; 12],
     );
-    assert!(line.displacement(cell, &gap, &mut [0.0; 12]).is_err());
+    assert!(found.is_err());
 }

@@ -43,9 +43,10 @@ impl<T> Estimate<T> {
     #[must_use]
     pub fn map<U: PartialOrd>(self, function: impl Fn(T) -> U) -> Estimate<U> {
         let [value, low, high] = [self.value, self.low, self.high].map(function);
-        match low > high {
-            true => Estimate::new(value, [high, low]),
-            false => Estimate::new(value, [low, high]),
+        if low > high {
+            Estimate::new(value, [high, low])
+        } else {
+            Estimate::new(value, [low, high])
         }
     }
 
@@ -153,9 +154,10 @@ impl<'de, K: EstimateKeys + ?Sized> Visitor<'de> for OfKeys<K> {
         let (mut value, mut ends) = (None, None);
         while let Some(key) = object.next_key::<String>()? {
             // A flat object gives no other keys.
-            match key == of_value {
-                true => value = Some(object.next_value()?),
-                false => ends = Some(object.next_value()?),
+            if key == of_value {
+                value = Some(object.next_value()?)
+            } else {
+                ends = Some(object.next_value()?)
             }
         }
         Ok(Estimate::new(

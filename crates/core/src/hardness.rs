@@ -173,9 +173,10 @@ impl std::str::FromStr for Hardness {
             _ => return Err(wrong()),
         };
         let number = unit_text::parse_shifted(number, 0).ok_or_else(wrong)?;
-        match number.is_finite() && number > 0.0 {
-            true => Ok(Self { number, scale }),
-            false => Err(wrong()),
+        if number.is_finite() && number > 0.0 {
+            Ok(Self { number, scale })
+        } else {
+            Err(wrong())
         }
     }
 }

@@ -171,9 +171,10 @@ pub fn fixed_point<E: From<EfficiencyError>>(
         Err(_) => HotterStart::Nowhere,
         Ok(equilibrium) => {
             let difference = (equilibrium.temperature - lowest.temperature).si().abs();
-            match difference > 10.0 * SETTLED {
-                true => HotterStart::Elsewhere(equilibrium.temperature),
-                false => HotterStart::Same,
+            if difference > 10.0 * SETTLED {
+                HotterStart::Elsewhere(equilibrium.temperature)
+            } else {
+                HotterStart::Same
             }
         }
     };

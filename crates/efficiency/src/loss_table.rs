@@ -28,12 +28,12 @@ pub struct LossTable {
     /// Temperatures \[°C\], rising; empty if the loss does not depend on them.
     temperatures: Vec<f64>,
     /// One grid per temperature, or a single grid.
-    grids: Vec<Grid>,
+    grids: Vec<TableGrid>,
 }
 
 /// Loss torques of one temperature.
 #[derive(Debug, Clone, PartialEq)]
-struct Grid {
+struct TableGrid {
     /// Torques \[N m\], rising; empty if the loss does not depend on them.
     torques: Vec<f64>,
     /// Speeds \[1/min\], rising.
@@ -77,13 +77,13 @@ impl LossTable {
         }
         let temperatures = distinct(rows.iter().filter_map(|row| row.temperature_c));
         let grids = match temperatures.as_slice() {
-            [] => vec![Grid::new(rows)?],
+            [] => vec![TableGrid::new(rows)?],
             given => {
                 let at = |temperature: &f64| {
                     let of = rows
                         .iter()
                         .filter(|row| row.temperature_c == Some(*temperature));
-                    Grid::new(&of.copied().collect::<Vec<_>>())
+                    TableGrid::new(&of.copied().collect::<Vec<_>>())
                 };
                 if rows.iter().any(|row| row.temperature_c.is_none()) {
                     return Err(no_grid(rows, &[], &[]));
@@ -113,7 +113,7 @@ impl LossTable {
     ) -> Result<f64, EfficiencyError> {
         cite!("Loss-table");
         let missing = || EfficiencyError::not_in_table(torque_nm, speed_rpm, temperature_c);
-        let at = |grid: &Grid| grid.at(torque_nm, speed_rpm.abs());
+        let at = |grid: &TableGrid| grid.at(torque_nm, speed_rpm.abs());
         if self.temperatures.is_empty() {
             return self.grids.first().and_then(at).ok_or_else(missing);
         }
@@ -130,7 +130,7 @@ impl LossTable {
     }
 }
 
-impl Grid {
+impl TableGrid {
     fn new(rows: &[LossRow]) -> Result<Self, EfficiencyError> {
         let torques = distinct(rows.iter().filter_map(|row| row.torque_nm));
         let speeds = distinct(rows.iter().map(|row| row.speed_rpm));
@@ -151,7 +151,7 @@ impl Grid {
         }
         let has_torques = torques.is_empty() || rows.iter().all(|row| row.torque_nm.is_some());
         for j in 0..speeds.len() {
-            fill(&mut values, (&torques, speeds.len(), j));
+            fill(&mut values, &torques, speeds.len(), j);
         }
         let is_whole = nodes > 0 && is_single && has_torques;
         let missing = values.iter().position(|value| !value.is_finite());
@@ -180,7 +180,7 @@ impl Grid {
 }
 
 /// Fills nodes without a row at speed `j` of `speeds`, linearly between their neighbours at that speed.
-fn fill(values: &mut [f64], (torques, speeds, j): (&[f64], usize, usize)) {
+fn fill(values: &mut [f64], torques: &[f64], speeds: usize, j: usize) {
     let stated: Vec<(f64, f64)> = torques
         .iter()
         .enumerate()

@@ -90,12 +90,13 @@ fn a_temperature_that_does_not_settle_is_an_error() {
 #[test]
 fn a_state_refused_on_the_way_is_told_with_the_last_temperature_that_was_not() {
     let made = |at: Temperature| -> Result<Temperature, EfficiencyError> {
-        match at > celsius(100.0) {
-            true => Err(EfficiencyError::from(
+        if at > celsius(100.0) {
+            Err(EfficiencyError::from(
                 asperity_core::DomainError::positive("made", Temperature::from_si(-1.0))
                     .unwrap_err(),
-            )),
-            false => Ok(Temperature::from_si(at.si() + 8.0)),
+            ))
+        } else {
+            Ok(Temperature::from_si(at.si() + 8.0))
         }
     };
     // 90, 94 and 98 °C are met, 102 °C is not.

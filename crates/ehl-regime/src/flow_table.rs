@@ -182,9 +182,10 @@ impl FlowTable {
         DomainError::require(number > 0, "patches", number as f64, "-", rule)?;
         let squares = patches.iter().map(|patch| patch.rms().si().powi(2));
         let sigma = (squares.sum::<f64>() / number as f64).sqrt();
-        let curves = match sigma > 0.0 {
-            true => vec![(Arc::new(FlowCurve::new(patches, sigma)?), 1.0)],
-            false => Vec::new(),
+        let curves = if sigma > 0.0 {
+            vec![(Arc::new(FlowCurve::new(patches, sigma)?), 1.0)]
+        } else {
+            Vec::new()
         };
         Ok(Self { curves })
     }
@@ -275,12 +276,11 @@ impl FlowTable {
             high += 1.0;
         }
         // Patches that percolate at zero gap pass more than the thinnest film needs.
-        let over = match excess(low) > 0.0 {
-            true => low,
-            false => {
-                let root = find_root(excess, low, high, ROOT_TOLERANCE);
-                root.map_err(|error| RegimeError::no_inlet(&error))?.value
-            }
+        let over = if excess(low) > 0.0 {
+            low
+        } else {
+            let root = find_root(excess, low, high, ROOT_TOLERANCE);
+            root.map_err(|error| RegimeError::no_inlet(&error))?.value
         };
         Ok((threshold + over.exp()) * sigma / gap)
     }

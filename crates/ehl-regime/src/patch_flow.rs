@@ -23,7 +23,7 @@ use asperity_core::quantity::Length;
 
 use crate::error::RegimeError;
 use crate::patch::Patch;
-use multigrid::{Grid, Grids};
+use multigrid::{FlowGrid, Grids};
 
 /// Largest difference of the flow between sections, over the flow, at which a solution is accepted, and the same over the flow of a smooth
 /// gap of one standard deviation. The smooth gap of the same flow is then known to 1e-5 of it from a fifth of a standard deviation above
@@ -76,16 +76,19 @@ impl Patch {
         let Some(open) = self.percolating(gap.si()) else {
             return Ok(Length::from_si(0.0));
         };
-        let cube = |(z, open): (&f64, &bool)| match open {
-            true => ((gap.si() - z) / scale).powi(3),
-            false => 0.0,
+        let cube = |(z, open): (&f64, &bool)| {
+            if *open {
+                ((gap.si() - z) / scale).powi(3)
+            } else {
+                0.0
+            }
         };
         let cubes: Vec<f64> = self.heights().iter().zip(&open).map(cube).collect();
         let (grid, sources) = self.conductances(&cubes);
         let mut grids = Grids::new(grid);
         let [dx, dy] = self.grid().spacing().map(Length::si);
         let of_smooth = dx / (self.grid().size()[1] as f64 * dy);
-        let done = |grid: &Grid, p: &[f64]| {
+        let done = |grid: &FlowGrid, p: &[f64]| {
             let [flow, uneven] = sections(grid, p);
             uneven <= most_uneven * flow + no_flow / of_smooth
         };
@@ -157,10 +160,13 @@ impl Patch {
     }
 
     /// Conductances between cells of these cubes of the gap, and the inflow of each by an even fall of the pressure by one a cell.
-    fn conductances(&self, cubes: &[f64]) -> (Grid, Vec<f64>) {
-        let face = |a: f64, b: f64| match a > 0.0 && b > 0.0 {
-            true => 2.0 * a * b / (a + b),
-            false => 0.0,
+    fn conductances(&self, cubes: &[f64]) -> (FlowGrid, Vec<f64>) {
+        let face = |a: f64, b: f64| {
+            if a > 0.0 && b > 0.0 {
+                2.0 * a * b / (a + b)
+            } else {
+                0.0
+            }
         };
         let [columns, rows] = self.grid().size();
         let [dx, dy] = self.grid().spacing().map(Length::si);
@@ -176,12 +182,12 @@ impl Patch {
                 sources[next] += along[cell];
             }
         }
-        (Grid::new(self.grid().size(), along, across), sources)
+        (FlowGrid::new(self.grid().size(), along, across), sources)
     }
 }
 
 /// Mean flow through the sections across rolling, and its largest difference from it.
-fn sections(grid: &Grid, pressures: &[f64]) -> [f64; 2] {
+fn sections(grid: &FlowGrid, pressures: &[f64]) -> [f64; 2] {
     let [columns, _] = grid.size;
     let mut flows = vec![0.0; columns];
     let rows = grid.along.chunks_exact(columns);
@@ -234,9 +240,10 @@ mod tests {
                 let gap = Length::from_si(closing + over * sigma);
                 let found = patch.hydraulic_gap(gap).unwrap().si();
                 let exact = patch.hydraulic_gap_to([EXACT; 2], gap).unwrap().si();
-                let (at, off) = match over >= 0.2 {
-                    true => (0, (found - exact).abs() / exact),
-                    false => (1, (found - exact).abs() / sigma),
+                let (at, off) = if over >= 0.2 {
+                    (0, (found - exact).abs() / exact)
+                } else {
+                    (1, (found - exact).abs() / sigma)
                 };
                 worst[at] = worst[at].max(off);
             }

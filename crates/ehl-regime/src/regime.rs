@@ -75,9 +75,10 @@ impl Regime {
     /// ```
     #[must_use]
     pub fn of_film_share(film_share: f64) -> Self {
-        match 1.0 - film_share < FULL_FILM {
-            true => Self::FullFilm,
-            false => Self::Mixed,
+        if 1.0 - film_share < FULL_FILM {
+            Self::FullFilm
+        } else {
+            Self::Mixed
         }
     }
 

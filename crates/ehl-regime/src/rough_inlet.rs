@@ -210,9 +210,10 @@ impl RoughInlet {
         let attenuation = &self.attenuation;
         let variance = waves.roughness(attenuation).si().powi(2);
         let square = self.inlet_factor * self.inlet_factor;
-        let steepness = match variance > 0.0 {
-            true => LENGTH_POWER * (square - 1.0) / (2.0 * square * variance),
-            false => 0.0,
+        let steepness = if variance > 0.0 {
+            LENGTH_POWER * (square - 1.0) / (2.0 * square * variance)
+        } else {
+            0.0
         };
         let scale = -steepness / (1.0 + steepness * waves.roughness_slope(attenuation));
         let by_variance = |wave| waves.by_variance(attenuation, wave);

@@ -169,12 +169,11 @@ pub fn gupta(
     let fall = form.fall(l);
     let mut outside = Vec::new();
     GUPTA_FALL.check_as(Treatment::Held, fall, &mut outside);
-    let value = match fall > STEEPEST {
-        true => {
-            let end = form.end(l);
-            form.factor(end) * (end / l).powf(STEEPEST)
-        }
-        false => form.factor(l),
+    let value = if fall > STEEPEST {
+        let end = form.end(l);
+        form.factor(end) * (end / l).powf(STEEPEST)
+    } else {
+        form.factor(l)
     };
     Ok(Checked { value, outside })
 }
@@ -242,9 +241,10 @@ impl Gupta {
     /// −d ln φ/d ln L, which rises with L; 42 where the numerator is below a hundredth.
     fn fall(&self, l: f64) -> f64 {
         let [pressure, loading] = self.terms(l);
-        let of_numerator = match 1.0 - pressure > LEAST_NUMERATOR {
-            true => pressure / (1.0 - pressure),
-            false => 1.0 / LEAST_NUMERATOR,
+        let of_numerator = if 1.0 - pressure > LEAST_NUMERATOR {
+            pressure / (1.0 - pressure)
+        } else {
+            1.0 / LEAST_NUMERATOR
         };
         PRESSURE_TERM.1 * of_numerator + LOADING_TERM.1 * loading / (1.0 + loading)
     }
@@ -257,9 +257,10 @@ impl Gupta {
         let [mut low, mut high] = [l.ln() - REACH, l.ln()];
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            match self.fall(middle.exp()) > STEEPEST {
-                true => high = middle,
-                false => low = middle,
+            if self.fall(middle.exp()) > STEEPEST {
+                high = middle
+            } else {
+                low = middle
             }
         }
         low.exp()

@@ -85,9 +85,10 @@ fn rigid_load(sigma: f64) -> f64 {
     let (mut low, mut high) = (0.0, 3.0);
     for _ in 0..50 {
         let middle = 0.5 * (low + high);
-        match up_to(middle)[0] > 0.0 {
-            true => low = middle,
-            false => high = middle,
+        if up_to(middle)[0] > 0.0 {
+            low = middle
+        } else {
+            high = middle
         }
     }
     up_to(low)[1]
@@ -100,9 +101,10 @@ fn ridges_raise_the_gap_of_a_rigid_contact_by_reynolds_equation() {
     let (mut low, mut high) = (0.1, 1.0);
     for _ in 0..40 {
         let sigma: f64 = 0.5 * (low + high);
-        match sigma < smooth / rigid_load(sigma) {
-            true => low = sigma,
-            false => high = sigma,
+        if sigma < smooth / rigid_load(sigma) {
+            low = sigma
+        } else {
+            high = sigma
         }
     }
     let rise = (rigid_load(low) / smooth).powi(2) - 1.0;

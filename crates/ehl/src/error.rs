@@ -46,7 +46,9 @@ impl EhlError {
     /// the last one over the Hertz pressure, and the nodes whose state still changed.
     pub(crate) fn not_converged(
         cells: usize,
-        (iterations, change, changes): (usize, f64, usize),
+        iterations: usize,
+        change: f64,
+        changes: usize,
         hint: &'static str,
     ) -> Self {
         let text = format!(

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::grid::Grid;
+use crate::grid::FilmGrid;
 use crate::newton::{NodeState, Solution};
 
 /// A solution with what shows that it is one.
@@ -47,7 +47,7 @@ pub struct Evidence {
 
 impl Evidence {
     /// Residuals of one solution.
-    pub(crate) fn new(grid: &Grid, solution: &Solution, contact_film: f64) -> Self {
+    pub(crate) fn new(grid: &FilmGrid, solution: &Solution, contact_film: f64) -> Self {
         let sum: f64 = solution.flux.iter().map(|f| f.abs()).sum();
         let flux = (sum / solution.flux.len() as f64).max(f64::MIN_POSITIVE);
         let mut evidence = Self {

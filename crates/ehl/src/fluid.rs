@@ -23,9 +23,10 @@ impl Fluid {
         let p_0 = scales.max_pressure.si();
         let sheared =
             |stress: f64| oil.viscosity.si() * scales.sliding.abs() / (scales.film * stress);
-        let thinning = match scales.sliding == 0.0 {
-            true => ShearThinning::None,
-            false => oil.shear_law.thinning(sheared),
+        let thinning = if scales.sliding == 0.0 {
+            ShearThinning::None
+        } else {
+            oil.shear_law.thinning(sheared)
         };
         Self {
             viscosity: oil.viscosity_over(p_0),

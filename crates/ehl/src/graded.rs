@@ -14,9 +14,9 @@ use crate::dimensionless::{LineContact, Scales};
 use crate::error::EhlError;
 use crate::evidence::{Evidence, Solved};
 use crate::fluid::Fluid;
-use crate::grid::Grid;
+use crate::grid::FilmGrid;
 use crate::linear::DenseSystem;
-use crate::newton::{Effort, Limits, Newton, Problem, Solution};
+use crate::newton::{Limits, Newton, NewtonEffort, NewtonProblem, Solution};
 use crate::oil::Oil;
 use crate::steady::{SteadyFilm, Window, hertz_start, parabola, transfer};
 
@@ -84,7 +84,7 @@ pub fn reference(
     let mut films = vec![SteadyFilm::new(&scales, oil, &known.0, known.1.clone())];
     for doubling in 1..=doublings.max(1) {
         let finer = cells << doubling;
-        let grid = Grid::new(bent_nodes(&known.0, &known.1, finer));
+        let grid = FilmGrid::new(bent_nodes(&known.0, &known.1, finer));
         let start = transfer(&known.0, &known.1, &grid);
         let solution = solve(&grid, &fluid, start, &mut work)
             .map_err(|effort| not_converged(finer, effort))?;
@@ -129,23 +129,19 @@ fn extrapolated(values: &[f64]) -> Extrapolated {
     }
 }
 
-fn not_converged(cells: usize, effort: Effort) -> EhlError {
+fn not_converged(cells: usize, effort: NewtonEffort) -> EhlError {
     let hint = "start from other numbers of cells, or use the even grid";
-    EhlError::not_converged(
-        cells,
-        (effort.iterations, effort.change, effort.flips),
-        hint,
-    )
+    EhlError::not_converged(cells, effort.iterations, effort.change, effort.flips, hint)
 }
 
 fn solve(
-    grid: &Grid,
+    grid: &FilmGrid,
     fluid: &Fluid,
     start: crate::newton::Unknowns,
     work: &mut (usize, usize),
-) -> Result<Solution, Effort> {
+) -> Result<Solution, NewtonEffort> {
     let gap = parabola(grid);
-    let problem = Problem {
+    let problem = NewtonProblem {
         grid,
         fluid,
         gap: &gap,
@@ -168,7 +164,7 @@ fn first(
     window: Window,
     cells: usize,
     work: &mut (usize, usize),
-) -> Result<(Grid, Solution), Effort> {
+) -> Result<(FilmGrid, Solution), NewtonEffort> {
     let soft = fluid.viscosity == RelativeViscosity::Constant && scales.moes_load >= 2.0;
     let unit = (scales.moes_load / std::f64::consts::TAU).sqrt();
     let film = if soft {
@@ -180,11 +176,11 @@ fn first(
     } else {
         scales.film_guess()
     };
-    let grid = Grid::new(clustered_nodes(window, film, cells));
+    let grid = FilmGrid::new(clustered_nodes(window, film, cells));
     let mut system = DenseSystem::new(&grid);
     let mut start = hertz_start(&grid, &mut system, film);
     let steps: &[f64] = if soft { &SOFTENING } else { &[0.0] };
-    let mut last = Err(Effort::default());
+    let mut last = Err(NewtonEffort::default());
     for factor in steps {
         let viscosity = if *factor > 0.0 {
             RelativeViscosity::Exponential {
@@ -225,11 +221,11 @@ fn clustered_nodes(window: Window, film: f64, cells: usize) -> Vec<f64> {
 }
 
 /// Nodes clustered where the pressure and the logarithm of the film bend.
-fn bent_nodes(grid: &Grid, solution: &Solution, cells: usize) -> Vec<f64> {
+fn bent_nodes(grid: &FilmGrid, solution: &Solution, cells: usize) -> Vec<f64> {
     let logs: Vec<f64> = solution.film.iter().map(|h| h.max(1e-12).ln()).collect();
     let pressure = roots_of_curvature(grid, &solution.unknowns.pressure);
     let film = roots_of_curvature(grid, &logs);
-    let inner = Grid::new(grid.x[1..grid.nodes() - 1].to_vec());
+    let inner = FilmGrid::new(grid.x[1..grid.nodes() - 1].to_vec());
     let (inlet, outlet) = (grid.x[0], grid.x[grid.nodes() - 1]);
     let (p_sum, h_sum) = (inner.integral(&pressure), inner.integral(&film));
     let combined: Vec<f64> = pressure
@@ -254,7 +250,7 @@ fn bent_nodes(grid: &Grid, solution: &Solution, cells: usize) -> Vec<f64> {
 }
 
 /// Square roots of the second derivative at the inner nodes.
-fn roots_of_curvature(grid: &Grid, values: &[f64]) -> Vec<f64> {
+fn roots_of_curvature(grid: &FilmGrid, values: &[f64]) -> Vec<f64> {
     (1..grid.nodes() - 1)
         .map(|i| {
             let (left, right) = (grid.spacing[i - 1], grid.spacing[i]);

@@ -4,7 +4,7 @@ use asperity_core::numerics::NodeInterval;
 
 /// Nodes 0..=n with a face after each but the last.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Grid {
+pub(crate) struct FilmGrid {
     /// Places of the nodes, rising.
     pub(crate) x: Vec<f64>,
     /// Distance across each face.
@@ -15,7 +15,7 @@ pub(crate) struct Grid {
     pub(crate) to_face: Vec<[f64; 3]>,
 }
 
-impl Grid {
+impl FilmGrid {
     /// `cells` equal cells from `inlet` to `outlet`.
     pub(crate) fn uniform(inlet: f64, outlet: f64, cells: usize) -> Self {
         let h = (outlet - inlet) / cells as f64;
@@ -79,7 +79,7 @@ mod tests {
 
     #[test]
     fn faces_of_an_even_grid_have_the_weights_of_the_quadratic() {
-        let grid = Grid::uniform(-2.0, 1.0, 6);
+        let grid = FilmGrid::uniform(-2.0, 1.0, 6);
         for (weight, expected) in grid.to_face[3].iter().zip([-0.125, 0.75, 0.375]) {
             assert!((weight - expected).abs() < 1e-14);
         }

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use asperity_core::cite;
 
 #[cfg(any(test, feature = "oracle"))]
-use crate::grid::Grid;
+use crate::grid::FilmGrid;
 
 /// Images of the spectrum summed on either side for the inverse of the kernel.
 const ALIASES: usize = 30;
@@ -41,7 +41,7 @@ pub(crate) fn hat_column(spacing: f64, count: usize) -> Vec<f64> {
 
 /// Dense kernel of a graded grid, row by row; the end nodes carry no pressure.
 #[cfg(any(test, feature = "oracle"))]
-pub(crate) fn hat_matrix(grid: &Grid) -> Vec<f64> {
+pub(crate) fn hat_matrix(grid: &FilmGrid) -> Vec<f64> {
     let n = grid.nodes();
     let mut matrix = vec![0.0; n * n];
     for (row, &x) in matrix.chunks_exact_mut(n).zip(&grid.x) {
@@ -105,7 +105,7 @@ mod tests {
     #[test]
     fn hats_of_a_hertz_pressure_flatten_the_parabola() {
         // u + X²/2 is constant inside; the square-root ends leave an error of h^1.5.
-        let grid = Grid::uniform(-1.0, 1.0, 400);
+        let grid = FilmGrid::uniform(-1.0, 1.0, 400);
         let p: Vec<f64> = grid
             .x
             .iter()
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn the_graded_matrix_has_the_even_column_on_an_even_grid() {
-        let grid = Grid::uniform(-1.0, 1.0, 20);
+        let grid = FilmGrid::uniform(-1.0, 1.0, 20);
         let (matrix, column) = (hat_matrix(&grid), hat_column(0.1, 21));
         for i in 0..=20 {
             for j in 1..20usize {

@@ -54,7 +54,7 @@ const FASTEST: f64 = 30.0;
 /// Response of a surface to heat, as a sum of exponentials.
 ///
 /// 1/√t = Σ_k w_k e^(−a_k t), a_k = e^(k·Δ), w_k = Δ √(a_k/π): the trapezoidal rule of a Gamma function.
-struct Kernel {
+struct HeatKernel {
     /// Rates a_k \[1/s\], the first 0 for all that are slower than the second.
     rates: Vec<f64>,
     /// Weights w_k \[1/√s\].
@@ -63,7 +63,7 @@ struct Kernel {
     instantaneous: f64,
 }
 
-impl Kernel {
+impl HeatKernel {
     /// The kernel for steps of `step` and stays of `stay` \[s\].
     fn new(step: f64, stay: f64) -> Self {
         let weight = |log: f64| LOG_STEP * (0.5 * log).exp() / PI.sqrt();
@@ -88,9 +88,12 @@ impl Kernel {
 
     /// Per exponential e^(−a Δt) and (1 − e^(−a Δt))/a over a step \[s\].
     fn over(&self, step: f64) -> Vec<[f64; 2]> {
-        let of = |a: &f64| match *a > 0.0 {
-            true => [(-a * step).exp(), -(-a * step).exp_m1() / a],
-            false => [1.0, step],
+        let of = |a: &f64| {
+            if *a > 0.0 {
+                [(-a * step).exp(), -(-a * step).exp_m1() / a]
+            } else {
+                [1.0, step]
+            }
         };
         self.rates.iter().map(of).collect()
     }
@@ -194,7 +197,7 @@ pub(crate) struct Heated {
 /// Temperatures of both surfaces of a record, advanced with its steps.
 pub(crate) struct HeatHistory {
     heat: RecordHeat,
-    kernel: Kernel,
+    kernel: HeatKernel,
     surfaces: [HeatedSurface; 2],
     /// Seconds, and cells, per half-width of mean travel.
     seconds: f64,
@@ -221,7 +224,7 @@ impl HeatHistory {
         let speeds = [contact.speed_1, contact.speed_2].map(|u| u.si() / scales.entrainment);
         // A surface at rest stays as long as one at a hundredth of the mean speed.
         let slow = speeds.iter().fold(1.0, |slow, u| u.abs().clamp(0.01, slow));
-        let kernel = Kernel::new(spacing * seconds, window * seconds / slow);
+        let kernel = HeatKernel::new(spacing * seconds, window * seconds / slow);
         let modes = kernel.rates.len();
         let [first, second] =
             [0, 1].map(|k: usize| HeatedSurface::new(speeds[k], &heat.bodies[k], nodes, modes));
@@ -397,7 +400,7 @@ mod tests {
 
     #[test]
     fn the_sum_of_exponentials_is_one_over_the_root_of_time() {
-        let kernel = Kernel::new(1e-7, 1e-3);
+        let kernel = HeatKernel::new(1e-7, 1e-3);
         for k in 0..=40 {
             let t = 1e-7 * 10_f64.powf(0.1 * f64::from(k));
             let modes = kernel.rates.iter().zip(&kernel.weights);

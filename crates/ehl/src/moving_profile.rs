@@ -7,7 +7,7 @@ use asperity_core::{DomainError, Profile};
 
 /// Continuation of a surface beyond its profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Ends {
+enum ProfileEnds {
     /// It repeats.
     Periodic,
     /// It is smooth, with a rise over this length \[m\] at both ends.
@@ -33,7 +33,7 @@ enum Ends {
 pub struct MovingProfile {
     heights: Vec<f64>,
     spacing: f64,
-    ends: Ends,
+    ends: ProfileEnds,
     offset: f64,
 }
 
@@ -43,7 +43,7 @@ impl MovingProfile {
         Self {
             heights: vec![0.0],
             spacing: 1.0,
-            ends: Ends::Periodic,
+            ends: ProfileEnds::Periodic,
             offset: 0.0,
         }
     }
@@ -53,7 +53,7 @@ impl MovingProfile {
         Self {
             heights: profile.heights().to_vec(),
             spacing: profile.spacing().si(),
-            ends: Ends::Periodic,
+            ends: ProfileEnds::Periodic,
             offset: 0.0,
         }
     }
@@ -83,7 +83,7 @@ impl MovingProfile {
         Ok(Self {
             heights,
             spacing: profile.spacing().si(),
-            ends: Ends::Periodic,
+            ends: ProfileEnds::Periodic,
             offset: 0.0,
         })
     }
@@ -105,7 +105,7 @@ impl MovingProfile {
         Ok(Self {
             heights: profile.heights().to_vec(),
             spacing: profile.spacing().si(),
-            ends: Ends::Smooth { taper },
+            ends: ProfileEnds::Smooth { taper },
             offset: 0.0,
         })
     }
@@ -119,8 +119,10 @@ impl MovingProfile {
     /// Length after which the surface repeats; none of one that passes once.
     pub fn period(&self) -> Option<Length> {
         match self.ends {
-            Ends::Periodic => Some(Length::from_si(self.heights.len() as f64 * self.spacing)),
-            Ends::Smooth { .. } => None,
+            ProfileEnds::Periodic => {
+                Some(Length::from_si(self.heights.len() as f64 * self.spacing))
+            }
+            ProfileEnds::Smooth { .. } => None,
         }
     }
 
@@ -128,16 +130,16 @@ impl MovingProfile {
     /// passes once.
     pub fn repeated(&self) -> Option<(&[f64], Length)> {
         match self.ends {
-            Ends::Periodic => Some((&self.heights, Length::from_si(self.offset))),
-            Ends::Smooth { .. } => None,
+            ProfileEnds::Periodic => Some((&self.heights, Length::from_si(self.offset))),
+            ProfileEnds::Smooth { .. } => None,
         }
     }
 
     /// Length of a surface that does not repeat.
     pub fn length(&self) -> Option<Length> {
         match self.ends {
-            Ends::Periodic => None,
-            Ends::Smooth { .. } => Some(Length::from_si(self.reach())),
+            ProfileEnds::Periodic => None,
+            ProfileEnds::Smooth { .. } => Some(Length::from_si(self.reach())),
         }
     }
 
@@ -148,8 +150,8 @@ impl MovingProfile {
     /// Coordinate of the surface at x = 0 and T = 0 in a window that begins at `inlet` \[m\].
     pub(crate) fn start(&self, inlet: f64) -> f64 {
         match self.ends {
-            Ends::Periodic => self.offset,
-            Ends::Smooth { .. } => self.reach() - inlet,
+            ProfileEnds::Periodic => self.offset,
+            ProfileEnds::Smooth { .. } => self.reach() - inlet,
         }
     }
 
@@ -158,14 +160,14 @@ impl MovingProfile {
         let z = &self.heights;
         let count = z.len();
         match self.ends {
-            Ends::Periodic => {
+            ProfileEnds::Periodic => {
                 let place = (s / self.spacing).rem_euclid(count as f64);
                 let k = (place as usize).min(count - 1);
                 let part = place - k as f64;
                 let next = if k + 1 == count { 0 } else { k + 1 };
                 z[k] * (1.0 - part) + z[next] * part
             }
-            Ends::Smooth { taper } => {
+            ProfileEnds::Smooth { taper } => {
                 let reach = self.reach();
                 let inside = s.min(reach - s);
                 if inside <= 0.0 {
@@ -191,8 +193,8 @@ impl MovingProfile {
     /// Length of the rise at the ends \[m\].
     pub(crate) fn taper(&self) -> f64 {
         match self.ends {
-            Ends::Periodic => 0.0,
-            Ends::Smooth { taper } => taper,
+            ProfileEnds::Periodic => 0.0,
+            ProfileEnds::Smooth { taper } => taper,
         }
     }
 }

@@ -23,9 +23,9 @@ use asperity_core::cite;
 
 use crate::bands::Bands;
 use crate::fluid::Fluid;
-use crate::grid::Grid;
+use crate::grid::FilmGrid;
 use crate::linear::{ElasticSystem, Linearised};
-use crate::reynolds::{Fields, Reynolds, Storage};
+use crate::reynolds::{Reynolds, ReynoldsFields, Storage};
 
 /// Largest void fraction: the oil of a node, (1 − θ)·ρ·H, stays positive.
 const MAX_VOID: f64 = 1.0 - 1e-9;
@@ -46,7 +46,7 @@ const THINNEST_FILM: f64 = 0.01;
 /// has no consistent state, and is held in contact.
 const NO_RELEASE_FROM: usize = 20;
 /// Largest number of nodes without a consistent state in an accepted solution; with more of them the time step is
-/// repeated at half its length. [`Effort::loose`] reports them.
+/// repeated at half its length. [`NewtonEffort::loose`] reports them.
 const MAX_HELD_NODES: usize = 2;
 
 /// State of a node of the film.
@@ -83,8 +83,8 @@ pub(crate) struct Ceiling {
 
 /// One nonlinear problem.
 #[derive(Clone, Copy)]
-pub(crate) struct Problem<'a> {
-    pub(crate) grid: &'a Grid,
+pub(crate) struct NewtonProblem<'a> {
+    pub(crate) grid: &'a FilmGrid,
     pub(crate) fluid: &'a Fluid,
     /// Undeformed gap of the nodes.
     pub(crate) gap: &'a [f64],
@@ -121,7 +121,7 @@ impl Limits {
     /// Residual of the next linear system, no smaller than the error of the Newton step needs.
     ///
     /// clamp(0.1·δ², tightest, loosest), δ the last change of the pressure.
-    fn forcing(&self, effort: &Effort) -> f64 {
+    fn forcing(&self, effort: &NewtonEffort) -> f64 {
         let residual = match effort.iterations {
             0 => self.loosest,
             _ => FORCING * effort.change * effort.change,
@@ -132,7 +132,7 @@ impl Limits {
 
 /// Outcome of an iteration.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Effort {
+pub(crate) struct NewtonEffort {
     pub(crate) iterations: usize,
     pub(crate) linear_iterations: usize,
     /// Largest change of the pressure in the last iteration.
@@ -154,7 +154,7 @@ pub(crate) struct Solution {
     pub(crate) flux: Vec<f64>,
     /// Balance of every node, storage included.
     pub(crate) balance: Vec<f64>,
-    pub(crate) effort: Effort,
+    pub(crate) effort: NewtonEffort,
 }
 
 /// Arrays of the iteration, reused for every problem on one grid.
@@ -192,16 +192,16 @@ impl Newton {
     /// The effort spent, when the iteration does not converge.
     pub(crate) fn solve(
         &mut self,
-        problem: &Problem,
+        problem: &NewtonProblem,
         system: &mut impl ElasticSystem,
         start: Unknowns,
         limits: &Limits,
-    ) -> Result<Solution, Effort> {
+    ) -> Result<Solution, NewtonEffort> {
         if problem.ceiling.is_some() {
             cite!("EHL-ceiling");
         }
         let mut unknowns = start;
-        let mut effort = Effort::default();
+        let mut effort = NewtonEffort::default();
         // Evaluate, test, change the states that the balances refute, solve the linear system, step.
         loop {
             if checkpoint().is_err() {
@@ -257,7 +257,7 @@ impl Newton {
     /// Film, flux and balances of the unknowns.
     fn evaluate(
         &mut self,
-        problem: &Problem,
+        problem: &NewtonProblem,
         system: &mut impl ElasticSystem,
         unknowns: &Unknowns,
     ) {
@@ -270,7 +270,7 @@ impl Newton {
                 *film += depth.unwrap_or(0.0);
             }
         }
-        let fields = Fields {
+        let fields = ReynoldsFields {
             pressure: &unknowns.pressure,
             film: &self.film,
             void: &unknowns.void,
@@ -301,7 +301,7 @@ impl Newton {
     }
 
     /// Rows of the ends and of the contact, the mask of the void fraction, the right-hand side.
-    fn linearise(&mut self, problem: &Problem, unknowns: &Unknowns) {
+    fn linearise(&mut self, problem: &NewtonProblem, unknowns: &Unknowns) {
         let nodes = self.film.len();
         let [pressure, film, void] = &mut self.reynolds.slopes;
         // Row of each node: P = 0 at both ends, H = H_b in contact, else the balance.
@@ -342,11 +342,11 @@ impl Newton {
     /// Applies the damped step and changes the states of nodes that violate their condition.
     fn advance(
         &mut self,
-        problem: &Problem,
+        problem: &NewtonProblem,
         system: &mut impl ElasticSystem,
         unknowns: &mut Unknowns,
         limits: &Limits,
-        effort: &mut Effort,
+        effort: &mut NewtonEffort,
     ) {
         let nodes = self.film.len();
         for i in 0..nodes {
@@ -389,7 +389,7 @@ impl Newton {
         unknowns.rigid += factor * approach;
     }
 
-    fn solution(&self, unknowns: Unknowns, effort: Effort) -> Solution {
+    fn solution(&self, unknowns: Unknowns, effort: NewtonEffort) -> Solution {
         Solution {
             unknowns,
             film: self.film.clone(),

@@ -19,7 +19,7 @@ use asperity_core::cite;
 
 use crate::bands::Bands;
 use crate::fluid::Fluid;
-use crate::grid::Grid;
+use crate::grid::FilmGrid;
 
 /// Thinnest film in the Poiseuille conductance; thinner or negative films occur between iterations.
 const LEAST_FILM: f64 = 1e-9;
@@ -30,7 +30,7 @@ const LARGEST: f64 = 300.0;
 
 /// Fields on the nodes.
 #[derive(Clone, Copy)]
-pub(crate) struct Fields<'a> {
+pub(crate) struct ReynoldsFields<'a> {
     pub(crate) pressure: &'a [f64],
     pub(crate) film: &'a [f64],
     pub(crate) void: &'a [f64],
@@ -92,7 +92,7 @@ impl Reynolds {
     /// ```text
     /// F = m̂ − (ρH³/λ)/(1 + 6 Σ²/H²)·φ·dP/dX,  m̂ = −m₋/8 + 3m/4 + 3m₊/8 on an even grid            [EHL-flux]
     /// ```
-    pub(crate) fn evaluate(&mut self, grid: &Grid, fluid: &Fluid, fields: Fields) {
+    pub(crate) fn evaluate(&mut self, grid: &FilmGrid, fluid: &Fluid, fields: ReynoldsFields) {
         cite!("EHL-flux");
         cite!("Log-mean");
         self.nodal(fluid, fields);
@@ -104,7 +104,7 @@ impl Reynolds {
         }
     }
 
-    fn nodal(&mut self, fluid: &Fluid, fields: Fields) {
+    fn nodal(&mut self, fluid: &Fluid, fields: ReynoldsFields) {
         for i in 0..self.mass.len() {
             let (p, h, void) = (fields.pressure[i], fields.film[i], fields.void[i]);
             self.log_viscosity[i] = fluid.viscosity.log(p);
@@ -125,7 +125,7 @@ impl Reynolds {
     }
 
     /// Flux through the face after node `i`; its slopes enter the balances on both sides.
-    fn face(&mut self, grid: &Grid, fluid: &Fluid, fields: Fields, i: usize) {
+    fn face(&mut self, grid: &FilmGrid, fluid: &Fluid, fields: ReynoldsFields, i: usize) {
         let (h, [w_0, w_1, w_2]) = (grid.spacing[i], grid.to_face[i]);
         let before = i.saturating_sub(1);
         let [plain, by_a, by_b] = log_mean(self.log_viscosity[i][0], self.log_viscosity[i + 1][0]);
@@ -165,7 +165,7 @@ impl Reynolds {
     }
 
     /// Adds the storage w·(c₀·m + past) to the balance and its slopes.
-    pub(crate) fn add_storage(&mut self, grid: &Grid, storage: Storage, residual: &mut [f64]) {
+    pub(crate) fn add_storage(&mut self, grid: &FilmGrid, storage: Storage, residual: &mut [f64]) {
         for i in 1..residual.len() - 1 {
             let w = grid.weights[i];
             residual[i] += w * (storage.rate * self.mass[i] + storage.past[i]);
@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn the_slopes_of_the_balance_are_its_differences() {
-        let grid = Grid::new(vec![-2.0, -1.4, -1.0, -0.7, -0.2, 0.1, 0.5, 1.1, 1.5]);
+        let grid = FilmGrid::new(vec![-2.0, -1.4, -1.0, -0.7, -0.2, 0.1, 0.5, 1.1, 1.5]);
         let n = grid.nodes();
         let wave = |i: usize, k: f64| (k * i as f64).sin();
         let fields = [
@@ -263,7 +263,7 @@ mod tests {
             let past = vec![0.03; n];
             let balance = |fields: &[Vec<f64>; 3]| {
                 let mut reynolds = Reynolds::new(n);
-                let view = Fields {
+                let view = ReynoldsFields {
                     pressure: &fields[0],
                     film: &fields[1],
                     void: &fields[2],

@@ -14,9 +14,9 @@ use crate::dimensionless::{LineContact, Scales};
 use crate::error::EhlError;
 use crate::evidence::{Evidence, Solved};
 use crate::fluid::Fluid;
-use crate::grid::Grid;
+use crate::grid::FilmGrid;
 use crate::linear::{ElasticSystem, FourierSystem};
-use crate::newton::{Effort, Limits, Newton, NodeState, Problem, Solution, Unknowns};
+use crate::newton::{Limits, Newton, NewtonEffort, NewtonProblem, NodeState, Solution, Unknowns};
 use crate::oil::Oil;
 
 /// The number of cells must be a multiple of this, for the coarse level of the preconditioner and the grid sequence.
@@ -235,7 +235,7 @@ pub fn solve_over_ridges(
 
 /// Converged solution on an even grid with its solver.
 pub(crate) struct EvenGridSolution {
-    pub(crate) grid: Grid,
+    pub(crate) grid: FilmGrid,
     pub(crate) system: FourierSystem,
     pub(crate) newton: Newton,
     pub(crate) solution: Solution,
@@ -245,7 +245,7 @@ pub(crate) struct EvenGridSolution {
 
 /// An even grid with its solver.
 struct Level {
-    grid: Grid,
+    grid: FilmGrid,
     gap: Vec<f64>,
     system: FourierSystem,
     newton: Newton,
@@ -253,7 +253,7 @@ struct Level {
 
 impl Level {
     fn new(window: Window, cells: usize) -> Self {
-        let grid = Grid::uniform(window.inlet, window.outlet, cells);
+        let grid = FilmGrid::uniform(window.inlet, window.outlet, cells);
         let gap = parabola(&grid);
         let system = FourierSystem::new(grid.spacing[0], cells);
         let newton = Newton::new(grid.nodes());
@@ -271,8 +271,8 @@ impl Level {
         start: Unknowns,
         limits: &Limits,
         work: &mut (usize, usize),
-    ) -> Result<Solution, Effort> {
-        let problem = Problem {
+    ) -> Result<Solution, NewtonEffort> {
+        let problem = NewtonProblem {
             grid: &self.grid,
             fluid,
             gap: &self.gap,
@@ -289,7 +289,7 @@ impl Level {
 }
 
 /// X²/2.
-pub(crate) fn parabola(grid: &Grid) -> Vec<f64> {
+pub(crate) fn parabola(grid: &FilmGrid) -> Vec<f64> {
     grid.x.iter().map(|x| 0.5 * x * x).collect()
 }
 
@@ -338,7 +338,9 @@ pub(crate) fn solve_sequence(
             checkpoint()?;
             Err(EhlError::not_converged(
                 cells,
-                (effort.iterations, effort.change, effort.flips),
+                effort.iterations,
+                effort.change,
+                effort.flips,
                 "use more cells, or a law that bends (Roelands) where Barus' exponent alpha p0 exceeds 14",
             ))
         }
@@ -352,13 +354,13 @@ fn sequence(
     level: &mut Level,
     limits: &Limits,
     work: &mut (usize, usize),
-) -> Result<Solution, Effort> {
+) -> Result<Solution, NewtonEffort> {
     let cells = level.grid.spacing.len();
     let coarse_limits = Limits {
         loosest: COARSE_LIMITS.linear_tolerance.max(limits.loosest),
         ..COARSE_LIMITS
     };
-    let mut known: Option<(Grid, Solution)> = None;
+    let mut known: Option<(FilmGrid, Solution)> = None;
     for part in parts(cells, window, film) {
         let mut coarse = Level::new(window, cells / part);
         let start = match &known {
@@ -398,10 +400,10 @@ fn continuation(
     level: &mut Level,
     limits: &Limits,
     work: &mut (usize, usize),
-) -> Result<Solution, Effort> {
+) -> Result<Solution, NewtonEffort> {
     let thicker = |factor: f64| film * factor.powf(0.7);
     let mut start = hertz_start(&level.grid, &mut level.system, thicker(CONTINUATION[0]));
-    let mut last = Err(Effort::default());
+    let mut last = Err(NewtonEffort::default());
     for factor in CONTINUATION {
         let thick = Fluid {
             speed: fluid.speed * factor,
@@ -415,7 +417,7 @@ fn continuation(
 }
 
 /// Start from the Hertz pressure, with `film` at the thinnest place and a void behind the contact.
-pub(crate) fn hertz_start(grid: &Grid, system: &mut impl ElasticSystem, film: f64) -> Unknowns {
+pub(crate) fn hertz_start(grid: &FilmGrid, system: &mut impl ElasticSystem, film: f64) -> Unknowns {
     let mut pressure: Vec<f64> = grid
         .x
         .iter()
@@ -447,7 +449,7 @@ pub(crate) fn hertz_start(grid: &Grid, system: &mut impl ElasticSystem, film: f6
 }
 
 /// Solution of one grid as the start on another.
-pub(crate) fn transfer(grid: &Grid, solution: &Solution, onto: &Grid) -> Unknowns {
+pub(crate) fn transfer(grid: &FilmGrid, solution: &Solution, onto: &FilmGrid) -> Unknowns {
     let known = &solution.unknowns;
     let exit = (0..grid.nodes())
         .rev()
@@ -473,7 +475,7 @@ pub(crate) fn transfer(grid: &Grid, solution: &Solution, onto: &Grid) -> Unknown
 }
 
 impl SteadyFilm {
-    pub(crate) fn new(scales: &Scales, oil: &Oil, grid: &Grid, solution: Solution) -> Self {
+    pub(crate) fn new(scales: &Scales, oil: &Oil, grid: &FilmGrid, solution: Solution) -> Self {
         let (pressure, film) = (solution.unknowns.pressure, solution.film);
         let (minimum_place, minimum) = thinnest(grid, &pressure, &film);
         let largest = pressure.iter().copied().fold(0.0, f64::max);
@@ -505,7 +507,7 @@ impl SteadyFilm {
     }
 }
 
-fn warnings(scales: &Scales, oil: &Oil, grid: &Grid, central: f64) -> Vec<Warning> {
+fn warnings(scales: &Scales, oil: &Oil, grid: &FilmGrid, central: f64) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let inlet_face = grid
         .x
@@ -534,7 +536,7 @@ fn rolling_force(scales: &Scales, pressure: &[f64], film: &[f64]) -> LineLoad {
 }
 
 /// Thinnest film under pressure, by a parabola through three nodes: place and film.
-fn thinnest(grid: &Grid, pressure: &[f64], film: &[f64]) -> (f64, f64) {
+fn thinnest(grid: &FilmGrid, pressure: &[f64], film: &[f64]) -> (f64, f64) {
     let nodes = grid.nodes();
     let least = (1..nodes - 1)
         .filter(|&i| pressure[i] > 0.0)
@@ -560,7 +562,7 @@ fn thinnest(grid: &Grid, pressure: &[f64], film: &[f64]) -> (f64, f64) {
 }
 
 /// Cubic Lagrange value at `x`.
-fn cubic_at(grid: &Grid, values: &[f64], x: f64) -> f64 {
+fn cubic_at(grid: &FilmGrid, values: &[f64], x: f64) -> f64 {
     let after = grid.x.partition_point(|&node| node < x);
     let first = after.saturating_sub(2).min(grid.nodes() - 4);
     (first..first + 4)
@@ -575,7 +577,7 @@ fn cubic_at(grid: &Grid, values: &[f64], x: f64) -> f64 {
 }
 
 /// Last local maximum of the pressure behind X = 0.3 with its place, where the pressure rose before it.
-fn spike(grid: &Grid, pressure: &[f64]) -> Option<(f64, f64)> {
+fn spike(grid: &FilmGrid, pressure: &[f64]) -> Option<(f64, f64)> {
     (1..grid.nodes() - 1)
         .rev()
         .take_while(|&i| grid.x[i] > 0.3)

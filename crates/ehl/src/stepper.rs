@@ -17,10 +17,10 @@ use asperity_core::quantity::Length;
 use crate::dimensionless::Scales;
 use crate::error::EhlError;
 use crate::fluid::Fluid;
-use crate::grid::Grid;
+use crate::grid::FilmGrid;
 use crate::linear::FourierSystem;
 use crate::moving_profile::MovingProfile;
-use crate::newton::{Ceiling, Limits, Newton, NodeState, Problem, Solution, Unknowns};
+use crate::newton::{Ceiling, Limits, Newton, NewtonProblem, NodeState, Solution, Unknowns};
 use crate::reynolds::Storage;
 use crate::steady::{EvenGridSolution, parabola};
 
@@ -51,7 +51,7 @@ struct Surface {
 
 /// State of a contact at one time, with the solver of its next step.
 pub(crate) struct Stepper {
-    pub(crate) grid: Grid,
+    pub(crate) grid: FilmGrid,
     pub(crate) scales: Scales,
     fluid: Fluid,
     system: FourierSystem,
@@ -161,7 +161,7 @@ impl Stepper {
         let rate = self.set_past(step);
         // The start only affects the number of iterations, not the solution.
         let start = self.advected(step);
-        let problem = Problem {
+        let problem = NewtonProblem {
             grid: &self.grid,
             fluid: &self.fluid,
             gap: &self.gap,
@@ -282,9 +282,10 @@ impl Stepper {
             };
             let needed = end * surface.speed * a + surface.profile.taper();
             if surface.speed <= 0.0 || needed > length {
-                let needed = match surface.speed > 0.0 {
-                    true => needed,
-                    false => f64::INFINITY,
+                let needed = if surface.speed > 0.0 {
+                    needed
+                } else {
+                    f64::INFINITY
                 };
                 return Err(EhlError::profile_too_short(number, length, needed));
             }

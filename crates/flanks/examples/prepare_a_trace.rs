@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         needed_of_scan: None,
         shortest_form: None,
     };
-    let prepared = prepared_trace(content, inputs, (&gears, Gear::Pinion));
+    let prepared = prepared_trace(content, inputs, &gears, Gear::Pinion);
     let prepared = prepared.map_err(|error| format!("{error:?}"))?;
     let parameters = prepared.flank.report.parameters.ok_or("no parameters")?;
     println!("Rq {:.3} um", 1e6 * parameters.heights.rq.si());

@@ -286,21 +286,23 @@ impl PositionError {
             } => {
                 let longer = Remedy::act("measure a longer trace");
                 // Filters can give back no more than the ends that they drop.
-                let with_ends = match whole_um >= needed_um {
-                    true => longer
+                let with_ends = if whole_um >= needed_um {
+                    longer
                         .or_set(Setting::Cutoff, Value::Any)
                         .because("to a shorter one")
                         .or_set(key("surface.ends"), Value::This("reg1".into()))
-                        .because("to keep the ends that the filter drops"),
-                    false => longer,
+                        .because("to keep the ends that the filter drops")
+                } else {
+                    longer
                 };
                 // Rounded down: so many fit.
                 let fitting = (half_widths * 100.0).floor() / 100.0;
-                match fitting >= NARROWEST_WINDOW {
-                    true => with_ends
+                if fitting >= NARROWEST_WINDOW {
+                    with_ends
                         .or_set(key("model.window"), Value::This(fitting.to_string().into()))
-                        .because("half-widths"),
-                    false => with_ends,
+                        .because("half-widths")
+                } else {
+                    with_ends
                 }
             }
             Self::Ehl(error) if error.is_unconverged() => {

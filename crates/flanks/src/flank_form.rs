@@ -47,7 +47,8 @@ pub struct FlankForm {
 /// When gears or contact refuse the numbers.
 pub fn shortest_form(
     gears: &GearPair,
-    (torque, speed): (Torque, AngularSpeed),
+    torque: Torque,
+    speed: AngularSpeed,
     modulus: Pressure,
 ) -> Result<Length, FormError> {
     /// Half-widths of the shortest form.
@@ -91,7 +92,8 @@ pub(crate) fn measured(
     waviness: &Profile,
     cutoff: Length,
     placed: &PlacedTrace,
-    (gears, gear): (&GearPair, Gear),
+    gears: &GearPair,
+    gear: Gear,
 ) -> Result<FlankForm, FormError> {
     /// Largest share of the active flank that may be missing at either end of the trace.
     const MAY_MISS: f64 = 0.01;

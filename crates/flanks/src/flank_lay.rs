@@ -78,9 +78,10 @@ pub fn with_mean(lays: [FlankLay; 2], mean: f64) -> Result<[Lay; 2], PositionErr
     let [mut low, mut high] = [-REACH, REACH];
     for _ in 0..STEPS {
         let middle = 0.5 * (low + high);
-        match mean_at(lays, middle) < mean {
-            true => low = middle,
-            false => high = middle,
+        if mean_at(lays, middle) < mean {
+            low = middle
+        } else {
+            high = middle
         }
     }
     let z = 0.5 * (low + high);

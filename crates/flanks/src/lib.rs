@@ -40,6 +40,6 @@ pub use local_roughness::Roughness;
 pub use sheets::{PatchPlace, Sheets};
 pub use surfaces::{Surfaces, Texture};
 pub use window_pair::{
-    AVERAGING_WIDTH, LEAST_POINTS_PER_HALF_WIDTH, Window, WindowPair, is_substituted, row_place,
-    window_places,
+    AVERAGING_WIDTH, LEAST_POINTS_PER_HALF_WIDTH, OffsetIndex, Window, WindowPair, is_substituted,
+    row_place, window_places,
 };

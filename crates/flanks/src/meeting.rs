@@ -77,7 +77,8 @@ impl Meeting<'_> {
         &self,
         sites: [&[TraceSite]; 2],
         teeth: [usize; 2],
-        (zones, width): (&[f64], Length),
+        zones: &[f64],
+        width: Length,
     ) -> PairsOfTeeth {
         let mut made: BTreeMap<[usize; 2], Surfaces> = BTreeMap::new();
         let middles: Vec<f64> = (0..=zones.len())
@@ -143,11 +144,7 @@ fn half_width_at_pitch(gears: &GearPair, torque: Torque, modulus: Pressure) -> f
 /// Length of a prepared trace that holds windows of `window` half-widths to each side at places that differ, by the half-width at the
 /// pitch point with the whole load on one pair of teeth: more than the contacts need where several pairs share the load.
 #[must_use]
-pub fn needed_length(
-    gears: &GearPair,
-    (torque, modulus): (Torque, Pressure),
-    window: f64,
-) -> Length {
+pub fn needed_length(gears: &GearPair, torque: Torque, modulus: Pressure, window: f64) -> Length {
     let half_width = half_width_at_pitch(gears, torque, modulus);
     Length::from_si((2.0 * window + AVERAGING_WIDTH) * half_width)
 }

@@ -112,8 +112,9 @@ impl Placement {
 
 /// Refuses a placement on which hardly any contact lies.
 pub fn check_coverage(coverage: f64) -> Result<(), PositionError> {
-    match coverage >= LEAST_COVERAGE {
-        true => Ok(()),
-        false => Err(PositionError::not_covered(coverage)),
+    if coverage >= LEAST_COVERAGE {
+        Ok(())
+    } else {
+        Err(PositionError::not_covered(coverage))
     }
 }

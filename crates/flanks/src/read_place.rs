@@ -119,9 +119,10 @@ impl ReadPlace {
     /// `dropped` were cut off at each end.
     pub(crate) fn first_arc(&self, points: usize, spacing: Length, dropped: usize) -> Option<f64> {
         let [arc, growth] = self.reference?;
-        let index = match self.turned {
-            false => dropped,
-            true => points - 1 - dropped,
+        let index = if self.turned {
+            points - 1 - dropped
+        } else {
+            dropped
         };
         Some(arc + growth * spacing.si() * index as f64)
     }

@@ -123,9 +123,12 @@ fn squares_of_correlation(surface: &PreparedSurface) -> Vec<f64> {
         pairs.map(|(a, b)| product(a, b)).sum::<f64>() / (n - k) as f64
     };
     let square = mean(0);
-    let of = |k: usize| match square > 0.0 {
-        true => (mean(k) / square).clamp(-1.0, 1.0).powi(2),
-        false => 1.0,
+    let of = |k: usize| {
+        if square > 0.0 {
+            (mean(k) / square).clamp(-1.0, 1.0).powi(2)
+        } else {
+            1.0
+        }
     };
     (0..n).map(of).collect()
 }

@@ -113,16 +113,16 @@ pub struct Sheets {
     columns: [usize; 2],
     rows: usize,
     spacings: [Length; 2],
-    known: Known,
+    known: KnownSheets,
 }
 
 /// Results that both sheets keep, each made at first need.
 #[derive(Debug, Default)]
-struct Known {
+struct KnownSheets {
     waves: Noted<Result<SheetWaves, PositionError>>,
-    flattened: Mutex<BTreeMap<Inlet, Arc<FlattenedSheets>>>,
+    flattened: Mutex<BTreeMap<SheetInlet, Arc<FlattenedSheets>>>,
     /// By the number of columns from the middle up to which the film is evaluated, too.
-    samples: Mutex<BTreeMap<(PatchPlace, Inlet, u64), Arc<PatchSample>>>,
+    samples: Mutex<BTreeMap<(PatchPlace, SheetInlet, u64), Arc<PatchSample>>>,
 }
 
 /// The waves of both sheets, each mirrored at the ends of its rows, so that it repeats without a jump.
@@ -143,7 +143,7 @@ impl PartialEq for Sheets {
 
 /// An inlet for which whole sheets are flattened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Inlet {
+struct SheetInlet {
     /// Place of its wavelength scale among those that are computed.
     scale: i32,
     /// Bits of the reduced modulus, if the film ripples.
@@ -214,7 +214,7 @@ impl Sheets {
             columns,
             rows: kept,
             spacings: [along, across],
-            known: Known::default(),
+            known: KnownSheets::default(),
         })
     }
 
@@ -227,7 +227,7 @@ impl Sheets {
             columns: self.columns,
             rows: self.rows,
             spacings: self.spacings,
-            known: Known::default(),
+            known: KnownSheets::default(),
         }
     }
 
@@ -255,7 +255,7 @@ impl Sheets {
             columns: self.columns,
             rows: self.rows,
             spacings: self.spacings,
-            known: Known::default(),
+            known: KnownSheets::default(),
         })
     }
 
@@ -321,9 +321,10 @@ impl Sheets {
         };
         let squares: Vec<f64> = products.chunks_exact(2 * reach + 1).map(square).collect();
         let all = squares.iter().sum::<f64>() / squares[0];
-        Ok(match all.is_finite() {
-            true => (self.rows as f64 / all).max(1.0),
-            false => 1.0,
+        Ok(if all.is_finite() {
+            (self.rows as f64 / all).max(1.0)
+        } else {
+            1.0
         })
     }
 
@@ -389,7 +390,7 @@ impl Sheets {
         let reach = flattening.reach / self.spacings[0];
         let mut around = Vec::with_capacity(4);
         for (scale, weight) in scales(flattening.attenuation.nabla_per_length()) {
-            let inlet = Inlet { scale, modulus };
+            let inlet = SheetInlet { scale, modulus };
             around.push((self.sample(place, inlet, reach)?, weight));
         }
         Ok(PatchSample::between(&around))
@@ -399,7 +400,7 @@ impl Sheets {
     fn sample(
         &self,
         place: PatchPlace,
-        inlet: Inlet,
+        inlet: SheetInlet,
         reach: f64,
     ) -> Result<Arc<PatchSample>, PositionError> {
         let known = || {
@@ -429,7 +430,7 @@ impl Sheets {
     }
 
     /// Both sheets as an inlet leaves them. Threads that need them wait for the first one.
-    fn flattened(&self, inlet: Inlet) -> Result<Arc<FlattenedSheets>, PositionError> {
+    fn flattened(&self, inlet: SheetInlet) -> Result<Arc<FlattenedSheets>, PositionError> {
         let known = &self.known.flattened;
         let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(flattened) = known.get(&inlet) {
@@ -462,7 +463,7 @@ impl Sheets {
         });
         known.insert(inlet, Arc::clone(&made));
         if known.len() > MOST_KEPT {
-            let distance = |of: &Inlet| of.scale.abs_diff(inlet.scale);
+            let distance = |of: &SheetInlet| of.scale.abs_diff(inlet.scale);
             if let Some(farthest) = known.keys().copied().max_by_key(distance) {
                 known.remove(&farthest);
             }
@@ -545,9 +546,10 @@ fn repeated(surface: &PreparedSurface, n: usize) -> Vec<f64> {
     let (begin, end) = (&part[..overlap * columns], &part[(n - overlap) * columns..]);
     let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let both = (product(begin, begin) * product(end, end)).sqrt();
-    let correlation = match both > 0.0 {
-        true => (product(begin, end) / both).clamp(0.0, 1.0),
-        false => 1.0,
+    let correlation = if both > 0.0 {
+        (product(begin, end) / both).clamp(0.0, 1.0)
+    } else {
+        1.0
     };
     for j in 0..overlap {
         let w = (j + 1) as f64 / (overlap + 1) as f64;

@@ -541,9 +541,10 @@ impl Surfaces {
     /// measured, or where the windows follow from the mesh.
     #[must_use]
     pub fn offsets(&self, wanted: usize) -> usize {
-        let of_a_pair = match self.are_measured() && self.placement.is_none() {
-            true => wanted,
-            false => 1,
+        let of_a_pair = if self.are_measured() && self.placement.is_none() {
+            wanted
+        } else {
+            1
         };
         self.pairs() * of_a_pair
     }

@@ -136,15 +136,16 @@ struct ReadTrace {
 pub fn measured(
     content: TraceContent<'_>,
     inputs: TraceInputs<'_>,
-    (gears, gear): (&GearPair, Gear),
+    gears: &GearPair,
+    gear: Gear,
 ) -> Result<(Profile, Statements), TraceError> {
-    let mut read = read_trace(&content, inputs, inputs.options, own_radius((gears, gear)))?;
-    place_of(inputs, &mut read, (gears, gear))?;
+    let mut read = read_trace(&content, inputs, inputs.options, own_radius(gears, gear))?;
+    place_of(inputs, &mut read, gears, gear)?;
     Ok((read.profile, read.statements))
 }
 
 /// Base radius of `gear`, also of a ring.
-fn own_radius((gears, gear): (&GearPair, Gear)) -> Length {
+fn own_radius(gears: &GearPair, gear: Gear) -> Length {
     Length::from_si(gears.base_radius[gear as usize].si().abs())
 }
 
@@ -155,13 +156,14 @@ fn own_radius((gears, gear): (&GearPair, Gear)) -> Length {
 pub fn prepared_trace(
     content: TraceContent<'_>,
     inputs: TraceInputs<'_>,
-    (gears, gear): (&GearPair, Gear),
+    gears: &GearPair,
+    gear: Gear,
 ) -> Result<PreparedTrace, TraceError> {
-    let own_radius = own_radius((gears, gear));
+    let own_radius = own_radius(gears, gear);
     let mut read = read_trace(&content, inputs, inputs.options, own_radius)?;
     // Only the lines of a mean are read again.
     let lines = single_line(inputs.options).map(|line| (content, line));
-    let place = place_of(inputs, &mut read, (gears, gear))?;
+    let place = place_of(inputs, &mut read, gears, gear)?;
     let mirrored = match &place {
         Some(place) => place.turned,
         None => inputs.place.mirrored.unwrap_or(false),
@@ -192,13 +194,12 @@ pub fn prepared_trace(
     };
     if form_cutoff.is_some() {
         // The form was left in, to be separated from the roughness.
-        prepared
-            .warnings
-            .retain(|warning| !matches!(warning, Warning::FormNotRemoved { .. }));
+        let is_other = |warning: &Warning| !matches!(warning, Warning::FormNotRemoved { .. });
+        prepared.warnings.retain(is_other);
     }
     // Without a cut-off the whole trace is one evaluation of five sections, and nothing is filtered twice.
-    let lambda_c = preparation.lambda_c;
-    let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
+    let of_length = || prepared.profile.length() / 5.0;
+    let section = preparation.lambda_c.unwrap_or_else(of_length);
     let parameters = Parameters::from_profile(&prepared.profile, Mode::Iso4287, section)?;
     if let Some(lines) = lines {
         let evaluated = (preparation, section, parameters.heights.rq);
@@ -219,7 +220,7 @@ pub fn prepared_trace(
     let form = match (form_cutoff, &waviness, &placed) {
         (None, ..) => None,
         (Some(cutoff), Some(waviness), Some(placed)) => {
-            let form = flank_form::measured(waviness, cutoff, placed, (gears, gear));
+            let form = flank_form::measured(waviness, cutoff, placed, gears, gear);
             Some(form.map_err(TraceError::Form)?)
         }
         (Some(_), ..) => return Err(TraceError::Form(FormError::NotPlaced)),
@@ -295,12 +296,13 @@ fn check_mean(
     let rows = (0..LINES).map(|k| (2 * k + 1) * across / (2 * LINES) + 1);
     let squares: Vec<f64> = rows.filter_map(of_line).collect();
     let lines = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
-    match mean.si() < LEAST * lines {
-        true => Err(TraceError::AveragedOut {
+    if mean.si() < LEAST * lines {
+        Err(TraceError::AveragedOut {
             mean,
             lines: Length::from_si(lines),
-        }),
-        false => Ok(()),
+        })
+    } else {
+        Ok(())
     }
 }
 
@@ -317,7 +319,8 @@ fn lines_across(surface: &Surface, line: TraceLine) -> usize {
 fn place_of(
     inputs: TraceInputs<'_>,
     read: &mut ReadTrace,
-    (gears, gear): (&GearPair, Gear),
+    gears: &GearPair,
+    gear: Gear,
 ) -> Result<Option<ReadPlace>, TraceError> {
     let arc = read.reading.as_ref().and_then(|r| r.metadata.arc_from_base);
     if arc.is_some() {

@@ -40,12 +40,13 @@ pub fn teeth(traces: &[TraceSite]) -> usize {
 /// many as make 64 pairs.
 #[must_use]
 pub fn paired(teeth: [usize; 2]) -> [usize; 2] {
-    match teeth[0] * teeth[1] <= MOST_PAIRS {
-        true => teeth,
-        false => [0, 1].map(|body: usize| {
+    if teeth[0] * teeth[1] <= MOST_PAIRS {
+        teeth
+    } else {
+        [0, 1].map(|body: usize| {
             let of_others = MOST_PAIRS / teeth[1 - body].max(1);
             teeth[body].min(of_others.max(LEAST_TEETH))
-        }),
+        })
     }
 }
 

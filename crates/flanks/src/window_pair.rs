@@ -133,7 +133,7 @@ impl Window {
             }
             None => {
                 let [along, across] = window_places(k, count, position.cell);
-                let wanted = Wanted {
+                let wanted = WantedWindow {
                     points: n,
                     // Several windows must differ.
                     way: match count {
@@ -142,11 +142,11 @@ impl Window {
                     },
                     half_width: points,
                 };
-                let start = |flank, place| start(flank, wanted, place);
+                let start = |flank, whole, place| start(flank, whole, wanted, place);
                 let [of_first, of_second] = surfaces.whole_lengths();
                 [
-                    start((first, of_first), along)?,
-                    start((second, of_second), across)?,
+                    start(first, of_first, along)?,
+                    start(second, of_second, across)?,
                 ]
             }
         };
@@ -174,7 +174,7 @@ impl Window {
         self,
         surfaces: &Surfaces,
         zone: usize,
-        (k, count): (usize, usize),
+        OffsetIndex { k, count }: OffsetIndex,
     ) -> Result<[Profile; 2], PositionError> {
         let (surfaces, ..) = surfaces.met(zone, k, count);
         let [Texture::Trace(first), Texture::Trace(second)] = surfaces.textures() else {
@@ -198,14 +198,26 @@ impl Surfaces {
         &self,
         position: &MeshPosition,
         window: f64,
-        (k, count): (usize, usize),
+        OffsetIndex { k, count }: OffsetIndex,
     ) -> Result<Roughness, PositionError> {
         let (of_pair, ..) = self.met(position.zone, k, count);
         match Window::at(self, position, window, k, count)? {
-            Some(window) => of_pair.roughness_of(&window.cut(self, position.zone, (k, count))?),
+            Some(window) => {
+                of_pair.roughness_of(&window.cut(self, position.zone, OffsetIndex { k, count })?)
+            }
             None => of_pair.roughness_as_a_whole(),
         }
     }
+}
+
+/// An offset of the traces: number `k` of `count`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(clippy::exhaustive_structs)]
+pub struct OffsetIndex {
+    /// Number, from 0.
+    pub k: usize,
+    /// Number of offsets.
+    pub count: usize,
 }
 
 /// The two flanks under the contact at one offset.
@@ -231,13 +243,14 @@ impl WindowPair {
     pub fn at(
         surfaces: &Surfaces,
         position: &MeshPosition,
-        (window, modulus): (f64, Pressure),
-        (k, count): (usize, usize),
+        window: f64,
+        modulus: Pressure,
+        OffsetIndex { k, count }: OffsetIndex,
     ) -> Result<Option<Self>, PositionError> {
         let Some(window) = Window::at(surfaces, position, window, k, count)? else {
             return Ok(None);
         };
-        let flanks = window.cut(surfaces, position.zone, (k, count))?;
+        let flanks = window.cut(surfaces, position.zone, OffsetIndex { k, count })?;
         Self::new(flanks, position, modulus).map(Some)
     }
 
@@ -273,7 +286,7 @@ impl WindowPair {
 
 /// Points of a window, and of a half-width of the contact.
 #[derive(Clone, Copy)]
-struct Wanted {
+struct WantedWindow {
     points: usize,
     /// Least number of points that it can be moved by.
     way: usize,
@@ -283,11 +296,12 @@ struct Wanted {
 /// First point of a window on `profile`, at the fraction `place` of where it can start. `whole` is its length with the ends that
 /// filtering drops.
 fn start(
-    (profile, whole): (&Profile, Option<Length>),
-    wanted: Wanted,
+    profile: &Profile,
+    whole: Option<Length>,
+    wanted: WantedWindow,
     place: f64,
 ) -> Result<isize, PositionError> {
-    let Wanted {
+    let WantedWindow {
         points,
         way,
         half_width,

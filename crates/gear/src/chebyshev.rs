@@ -14,7 +14,7 @@ pub(crate) struct Chebyshev {
 impl Chebyshev {
     /// Interpolates `function` at `count` Chebyshev points of the first kind.
     pub(crate) fn fit<E>(
-        (low, high): (f64, f64),
+        [low, high]: [f64; 2],
         count: usize,
         mut function: impl FnMut(f64) -> Result<f64, E>,
     ) -> Result<Self, E> {
@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn a_smooth_function_is_met_to_the_last_digits() {
         let exact = |x: f64| (1.3 * x).sin() + 1.0 / (2.0 + x);
-        let fit = Chebyshev::fit((0.0, 1.5), 25, |x| Ok::<_, ()>(exact(x))).unwrap();
+        let fit = Chebyshev::fit([0.0, 1.5], 25, |x| Ok::<_, ()>(exact(x))).unwrap();
         for k in 0..=30 {
             let x = 0.05 * f64::from(k);
             assert!((fit.at(x) - exact(x)).abs() < 1e-14, "{x}");
@@ -117,7 +117,7 @@ mod tests {
     #[test]
     fn a_table_loses_nine_digits_at_most() {
         let exact = |x: f64| (1.3 * x).sin() + 1.0 / (2.0 + x);
-        let fit = Chebyshev::fit((0.0, 1.5), 25, |x| Ok::<_, ()>(exact(x))).unwrap();
+        let fit = Chebyshev::fit([0.0, 1.5], 25, |x| Ok::<_, ()>(exact(x))).unwrap();
         let table = SmoothTable::new(&fit);
         for k in 0..=1000 {
             let x = 0.0015 * f64::from(k);

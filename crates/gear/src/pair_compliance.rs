@@ -18,7 +18,7 @@ use crate::error::{Gear, GearError};
 use crate::hertz_compliance::HertzCompliance;
 use crate::pair::GearPair;
 use crate::tooth_compliance::ToothCompliance;
-use crate::tooth_outline::{Flank, Outline, RootForm};
+use crate::tooth_outline::{Outline, RootForm, ToothFlank};
 
 /// Chebyshev points of a compliance along the path.
 const TABLE_POINTS: usize = 25;
@@ -40,12 +40,12 @@ pub enum StiffnessSource {
 pub(crate) struct PairCompliance {
     pub(crate) source: StiffnessSource,
     bending: SmoothTable,
-    flattening: Flattening,
+    flattening: ContactFlattening,
 }
 
 /// Dependence of q_H on the load.
 #[derive(Debug, Clone)]
-enum Flattening {
+enum ContactFlattening {
     /// q_H(f) with its load-independent part tabulated.
     Hertz {
         shape: SmoothTable,
@@ -68,8 +68,9 @@ impl PairCompliance {
         stiffness_factor: f64,
         load: f64,
     ) -> Result<Self, GearError> {
-        let outline =
-            |gear: usize, name| Outline::new(Flank::new(pair, gear, shift[gear]), root[gear], name);
+        let outline = |gear: usize, name| {
+            Outline::new(ToothFlank::new(pair, gear, shift[gear]), root[gear], name)
+        };
         let outlines = match (outline(0, Gear::Pinion), outline(1, Gear::Wheel)) {
             (Ok(pinion), Ok(wheel)) => [pinion, wheel],
             (Err(GearError::RootForm { gear, .. }), _)
@@ -86,7 +87,7 @@ impl PairCompliance {
             ToothCompliance::new(pinion, &materials[0]),
             ToothCompliance::new(wheel, &materials[1]),
         ];
-        let range = (0.0, pair.path.eps_alpha);
+        let range = [0.0, pair.path.eps_alpha];
         let bending = Chebyshev::fit(range, TABLE_POINTS, |xi| {
             let [rho1, rho2] = rolls(pair, xi);
             let q = teeth[0].total(rho1) + teeth[1].total(rho2);
@@ -110,7 +111,7 @@ impl PairCompliance {
         Ok(Self {
             source: StiffnessSource::WeberBanaschek,
             bending: SmoothTable::new(&bending),
-            flattening: Flattening::Hertz {
+            flattening: ContactFlattening::Hertz {
                 shape: SmoothTable::new(&shape),
                 sum: hertz.sum,
                 slope: hertz.sum / stiffness_factor,
@@ -127,29 +128,29 @@ impl PairCompliance {
         load: f64,
     ) -> Result<Self, GearError> {
         let single = pair.iso_single_stiffness(shift)?;
-        let flanks = [0, 1].map(|gear| Flank::new(pair, gear, shift[gear]));
+        let flanks = [0, 1].map(|gear| ToothFlank::new(pair, gear, shift[gear]));
         let middle = 0.5 * pair.path.eps_alpha;
         let depth = depths(pair, [&flanks[0], &flanks[1]], middle);
         let hertz = HertzCompliance::new(materials)?.at(depth, radius(pair, middle), load);
-        let range = (0.0, pair.path.eps_alpha);
+        let range = [0.0, pair.path.eps_alpha];
         let bending = Chebyshev::fit(range, TABLE_POINTS, |xi| {
             positive((1.0 / pair.iso_stiffness_at(single, xi) - hertz) / stiffness_factor)
         })?;
         Ok(Self {
             source: StiffnessSource::Iso,
             bending: SmoothTable::new(&bending),
-            flattening: Flattening::Constant(hertz / stiffness_factor),
+            flattening: ContactFlattening::Constant(hertz / stiffness_factor),
         })
     }
 
     /// Constant compliance, for limits with a closed form.
     #[cfg(test)]
     pub(crate) fn constant(bending: f64, flattening: f64) -> Self {
-        let fit = Chebyshev::fit((0.0, 1.0), 1, |_| Ok::<_, ()>(bending));
+        let fit = Chebyshev::fit([0.0, 1.0], 1, |_| Ok::<_, ()>(bending));
         Self {
             source: StiffnessSource::Iso,
             bending: SmoothTable::new(&fit.unwrap()),
-            flattening: Flattening::Constant(flattening),
+            flattening: ContactFlattening::Constant(flattening),
         }
     }
 
@@ -161,8 +162,8 @@ impl PairCompliance {
     /// q_H at ξ under the load `load`, constant beyond the ends of the path.
     pub(crate) fn flattening(&self, pair: &GearPair, xi: f64, load: f64) -> f64 {
         match &self.flattening {
-            Flattening::Constant(q) => *q,
-            Flattening::Hertz { shape, sum, slope } => {
+            ContactFlattening::Constant(q) => *q,
+            ContactFlattening::Hertz { shape, sum, slope } => {
                 let r = radius(pair, xi.clamp(0.0, pair.path.eps_alpha));
                 shape.at(xi) - slope * (4.0 * load * r * sum).ln()
             }
@@ -172,8 +173,8 @@ impl PairCompliance {
     /// −dq_H/d ln f.
     pub(crate) fn slope(&self) -> f64 {
         match self.flattening {
-            Flattening::Constant(_) => 0.0,
-            Flattening::Hertz { slope, .. } => slope,
+            ContactFlattening::Constant(_) => 0.0,
+            ContactFlattening::Hertz { slope, .. } => slope,
         }
     }
 }
@@ -185,7 +186,7 @@ fn rolls(pair: &GearPair, xi: f64) -> [f64; 2] {
     [s / cos, (pair.path.t1t2.si() - s).abs() / cos]
 }
 
-fn depths(pair: &GearPair, flanks: [&Flank; 2], xi: f64) -> [f64; 2] {
+fn depths(pair: &GearPair, flanks: [&ToothFlank; 2], xi: f64) -> [f64; 2] {
     let rolls = rolls(pair, xi);
     [0, 1].map(|gear| flanks[gear].load(rolls[gear]).2)
 }

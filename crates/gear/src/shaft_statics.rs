@@ -53,7 +53,8 @@ impl GearPair {
     pub fn shaft_forces(
         &self,
         torque: Torque,
-        (at, direction): (Length, Angle),
+        at: Length,
+        direction: Angle,
         is_left_handed: bool,
     ) -> Result<[ShaftForce; 2], GearError> {
         cite!("Statics-1");
@@ -148,9 +149,10 @@ mod tests {
             "20 deg".parse().unwrap(),
             "20 mm".parse().unwrap(),
         );
-        match is_ring {
-            true => GearPair::internal(&input).unwrap(),
-            false => GearPair::new(&input).unwrap(),
+        if is_ring {
+            GearPair::internal(&input).unwrap()
+        } else {
+            GearPair::new(&input).unwrap()
         }
     }
 
@@ -165,9 +167,9 @@ mod tests {
             let pair = pair(is_ring);
             for (torque, degrees) in [(40.0, 0.0), (40.0, 137.0), (-25.0, 250.0)] {
                 let direction = Angle::from_si(f64::to_radians(degrees));
-                let place = (Length::from_si(0.03), direction);
+                let at = Length::from_si(0.03);
                 let of = |is_left| {
-                    pair.shaft_forces(Torque::from_si(torque), place, is_left)
+                    pair.shaft_forces(Torque::from_si(torque), at, direction, is_left)
                         .unwrap()
                 };
                 let [on_first, on_second] = of(false);

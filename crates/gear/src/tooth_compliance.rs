@@ -94,7 +94,7 @@ mod tests {
     use crate::input::GearPairInput;
     use crate::pair::GearPair;
     use crate::pair_compliance::radius;
-    use crate::tooth_outline::{Flank, RootForm};
+    use crate::tooth_outline::{RootForm, ToothFlank};
     use asperity_core::quantity::{
         Angle, Density, Length, Pressure, SpecificHeat, ThermalConductivity,
     };
@@ -142,7 +142,7 @@ mod tests {
     }
 
     fn tooth(pair: &GearPair, gear: usize) -> ToothCompliance {
-        let flank = Flank::new(pair, gear, pair.profile_shift.unwrap()[gear]);
+        let flank = ToothFlank::new(pair, gear, pair.profile_shift.unwrap()[gear]);
         let outline = Outline::new(flank, RootForm::default(), Gear::Pinion).unwrap();
         ToothCompliance::new(outline, &steel())
     }
@@ -295,7 +295,7 @@ mod tests {
         );
     }
 
-    fn flank(z: u32, x: f64) -> Flank {
+    fn flank(z: u32, x: f64) -> ToothFlank {
         let input = GearPairInput {
             profile_shift: Some([x, 0.0]),
             addendum: 0.8,
@@ -306,7 +306,7 @@ mod tests {
                 Length::from_si(20e-3),
             )
         };
-        Flank::new(&GearPair::new(&input).unwrap(), 0, x)
+        ToothFlank::new(&GearPair::new(&input).unwrap(), 0, x)
     }
 
     fn outline(z: u32, x: f64) -> Result<Outline, GearError> {

@@ -48,7 +48,7 @@ impl Default for RootForm {
 
 /// Involute flank of the virtual spur gear.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Flank {
+pub(crate) struct ToothFlank {
     /// 1, or −1 for a ring.
     pub(crate) sign: f64,
     pub(crate) teeth: f64,
@@ -70,7 +70,7 @@ pub(crate) struct OutlinePoint {
     pub(crate) slope: f64,
 }
 
-impl Flank {
+impl ToothFlank {
     /// z_n = z/(cos² β_b cos β), r_n = m_n z_n/2, r_bn = r_n cos αₙ                [Tooth-1]
     pub(crate) fn new(pair: &GearPair, gear: usize, shift: f64) -> Self {
         cite!("Tooth-1");
@@ -152,7 +152,7 @@ struct Fillet {
 impl Fillet {
     /// P = (h t + ρ t/√(1 + t²), r − h − ρ/√(1 + t²)), turned back by (h t − E)/r;
     /// h = (h_fP* − ρ_fP* − x) m, E = π m/4 − h_fP* m tan αₙ − (1 − sin αₙ) ρ/cos αₙ   [Tooth-2]
-    fn new(flank: &Flank, root: RootForm) -> Self {
+    fn new(flank: &ToothFlank, root: RootForm) -> Self {
         cite!("Tooth-2");
         Self {
             rack: RackEdge::new(root, flank.shift, flank.module, flank.pressure_angle),
@@ -193,7 +193,7 @@ impl Fillet {
 /// The outline from the root to the tip.
 #[derive(Debug, Clone)]
 pub(crate) struct Outline {
-    pub(crate) flank: Flank,
+    pub(crate) flank: ToothFlank,
     fillet: Option<Fillet>,
     /// Parameter at which the fillet ends.
     fillet_end: f64,
@@ -215,7 +215,7 @@ impl Outline {
     /// # Errors
     /// When the outline cannot be constructed: the root has no thickness, the fillet folds back, or the fillet of an
     /// undercut tooth does not intersect its involute.
-    pub(crate) fn new(flank: Flank, root: RootForm, gear: Gear) -> Result<Self, GearError> {
+    pub(crate) fn new(flank: ToothFlank, root: RootForm, gear: Gear) -> Result<Self, GearError> {
         if flank.sign < 0.0 {
             return Self::ring(flank, root, gear);
         }
@@ -276,7 +276,7 @@ impl Outline {
     }
 
     /// Outline of a ring tooth: no fillet, heights inwards from |r_f| = |r| + m (h_f − x).
-    fn ring(flank: Flank, root: RootForm, gear: Gear) -> Result<Self, GearError> {
+    fn ring(flank: ToothFlank, root: RootForm, gear: Gear) -> Result<Self, GearError> {
         let radius = flank.reference_radius + flank.module * (root.dedendum - flank.shift);
         let reason = "the root circle of the ring lies inside its base circle";
         if radius <= flank.base_radius {
@@ -354,7 +354,7 @@ impl Outline {
 }
 
 /// Fillet parameter and roll length of the intersection of fillet and involute of an undercut tooth.
-fn crossing(fillet: &Fillet, flank: &Flank, end: f64) -> Option<(f64, f64)> {
+fn crossing(fillet: &Fillet, flank: &ToothFlank, end: f64) -> Option<(f64, f64)> {
     let roll = |radius: f64| {
         ((radius - flank.base_radius) * (radius + flank.base_radius))
             .max(0.0)
@@ -393,7 +393,7 @@ pub(crate) struct LoadLine {
     pub(crate) arm: f64,
 }
 
-impl Flank {
+impl ToothFlank {
     /// a′ = α − γ (ring: α + γ), y_P = r_b/cos a′, h = r_C sin γ/cos a′              [Tooth-3]
     pub(crate) fn load(&self, roll: f64) -> (f64, f64, f64) {
         let roll = roll.abs();

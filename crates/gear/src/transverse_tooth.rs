@@ -34,19 +34,19 @@ pub struct TransverseTooth {
     pub involute_start: f64,
     /// Whether the root is the envelope of the tool; otherwise it is replaced by a radial line.
     pub is_root_cut: bool,
-    involute: Involute,
+    involute: ToothInvolute,
 }
 
 /// γ over the roll length of an involute.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Involute {
+struct ToothInvolute {
     /// 1, or −1 for a ring.
     sign: f64,
     base_radius: f64,
     base_half_angle: f64,
 }
 
-impl Involute {
+impl ToothInvolute {
     /// γ = (π/2 + 2 x tan αₙ)/z ± (inv αₜ − inv α) at the roll length ρ; minus for a ring.
     fn half_angle(&self, roll: f64) -> f64 {
         let t = roll / self.base_radius;
@@ -124,7 +124,7 @@ impl GearPair {
         let normal = self.normal_pressure_angle.si();
         let reference = self.transverse_pressure_angle.si();
         let half_reference = (std::f64::consts::FRAC_PI_2 + 2.0 * shift * normal.tan()) / teeth;
-        let involute = Involute {
+        let involute = ToothInvolute {
             sign,
             base_radius: self.base_radius[index].si().abs(),
             base_half_angle: half_reference + sign * (reference.tan() - reference),
@@ -206,7 +206,7 @@ impl GearPair {
 /// rounding, cuts the teeth off at their roots, or does not reach the involute.
 fn cut_root(
     fillet: &TransverseFillet,
-    involute: &Involute,
+    involute: &ToothInvolute,
     end: f64,
 ) -> Option<(Vec<[f64; 2]>, f64)> {
     let foot = fillet.point(0.0);

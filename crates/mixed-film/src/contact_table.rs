@@ -101,9 +101,9 @@ enum Crossing<'a> {
     /// The flanks stay apart.
     Apart,
     /// Between two neighbouring knots of the table.
-    Between(Piece<'a>),
+    Between(TablePiece<'a>),
     /// Nowhere: at the largest share the gap is larger than that supplied, by this part.
-    Beyond(Piece<'a>, f64),
+    Beyond(TablePiece<'a>, f64),
 }
 
 /// The table where the gap of the contact is the one supplied: two neighbouring rows with their weights.
@@ -114,7 +114,7 @@ pub(crate) struct AtShare<'a> {
     pub(crate) rows: [(&'a TableRow, f64); 2],
     /// Slope of the second weight over the share.
     pub(crate) slope: f64,
-    piece: Piece<'a>,
+    piece: TablePiece<'a>,
 }
 
 impl AtShare<'_> {
@@ -293,7 +293,7 @@ impl ContactTable {
     }
 
     /// The gap between the knot below row `above`, the first touch or a row, and that row.
-    fn piece(&self, above: usize) -> Result<Piece<'_>, Unsolved> {
+    fn piece(&self, above: usize) -> Result<TablePiece<'_>, Unsolved> {
         // Slopes follow from the nearest neighbours, at the ends of the table from the nearest three knots.
         let mut knots = Vec::with_capacity(4);
         if above < 2 {
@@ -304,7 +304,7 @@ impl ContactTable {
         let knot = |row: &&TableRow| [abscissa(row.asperity_share), row.mean_gap.si(), 0.0];
         knots.extend(rows.iter().map(knot));
         set_monotone_slopes(&mut knots);
-        Ok(Piece {
+        Ok(TablePiece {
             knots,
             rows,
             low: above.min(1),
@@ -377,7 +377,7 @@ impl TableRow {
 
 /// The gap between two neighbouring knots, with the knots that decide its slopes.
 #[derive(Debug, Clone)]
-struct Piece<'a> {
+struct TablePiece<'a> {
     /// φ^¼, mean gap there, slope of the gap over φ^¼.
     knots: Vec<[f64; 3]>,
     /// Rows of the knots; the first touch, if it is the first knot, has none.
@@ -386,7 +386,7 @@ struct Piece<'a> {
     low: usize,
 }
 
-impl<'a> Piece<'a> {
+impl<'a> TablePiece<'a> {
     fn ends(&self) -> [&[f64; 3]; 2] {
         [&self.knots[self.low], &self.knots[self.low + 1]]
     }

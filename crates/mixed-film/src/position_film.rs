@@ -115,7 +115,7 @@ struct Touching<'s> {
 }
 
 /// Friction at the solved share.
-struct Friction {
+struct WindowFriction {
     shared: SharedFriction,
     /// Mean film of the spots \[m\].
     spot_film: f64,
@@ -489,13 +489,14 @@ impl PositionFilm<'_> {
     ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
         let phi = touching.share.value * self.settings.share_factor;
         self.load_film(1.0 - phi, window, touching.mean_gap)?;
-        let friction = match phi == 0.0 {
-            true => self.film_alone()?,
-            false => self.friction_of(phi, &touching.spots)?,
+        let friction = if phi == 0.0 {
+            self.film_alone()?
+        } else {
+            self.friction_of(phi, &touching.spots)?
         };
         let mut outside = self.outside.clone();
         COMPARED.check(self.roughness_over_film(window), &mut outside);
-        let value = self.solution(touching, (window, psi), &friction)?;
+        let value = self.solution(touching, window, psi, &friction)?;
         Ok(Checked { value, outside })
     }
 
@@ -507,10 +508,11 @@ impl PositionFilm<'_> {
     fn solution(
         &self,
         touching: &Touching<'_>,
-        (window, psi): (&WindowRoughness, f64),
-        friction: &Friction,
+        window: &WindowRoughness,
+        psi: f64,
+        friction: &WindowFriction,
     ) -> Result<LoadShareSolution, LoadShareError> {
-        let Friction {
+        let WindowFriction {
             shared, evidence, ..
         } = friction;
         let parts = shared.parts()?;
@@ -631,9 +633,9 @@ impl PositionFilm<'_> {
     }
 
     /// The film without asperities, by the routine of film friction.
-    fn film_alone(&mut self) -> Result<Friction, LoadShareError> {
+    fn film_alone(&mut self) -> Result<WindowFriction, LoadShareError> {
         let solution = self.film.solve()?.value;
-        Ok(Friction {
+        Ok(WindowFriction {
             shared: SharedFriction {
                 asperity_share: 0.0,
                 boundary_share: 0.0,
@@ -651,7 +653,7 @@ impl PositionFilm<'_> {
         &mut self,
         phi: f64,
         spots: &[(&[Spot], f64)],
-    ) -> Result<Friction, LoadShareError> {
+    ) -> Result<WindowFriction, LoadShareError> {
         let unit_rise = self.film.surface_rise(1.0);
         let is_cold = unit_rise == 0.0 || self.film.heat() == FilmHeat::Isothermal;
         // Other windows at a position rub alike; the first starts from the friction of cold surfaces.
@@ -669,9 +671,9 @@ impl PositionFilm<'_> {
         }
         // Slope of μ − G(T_s(μ)): of the window before, or of the film's part.
         let begun = begun.unwrap_or([0.0, 1.0 - unit_rise * (1.0 - phi) * slope]);
-        let (evidence, last) = self.heated(phi, (first, begun), &mut spots)?;
+        let (evidence, last) = self.heated(phi, first, begun, &mut spots)?;
         let mu = evidence.value;
-        let (at, steepness) = self.along(phi, last, (unit_rise * mu, begun[1]))?;
+        let (at, steepness) = self.along(phi, last, unit_rise * mu, begun[1])?;
         self.before = Some([mu, steepness]);
         let residual = mu - self.total(phi, &at)?;
         let evidence = Solved {
@@ -685,7 +687,8 @@ impl PositionFilm<'_> {
     fn heated(
         &mut self,
         phi: f64,
-        (first, begun): (AtRise, [f64; 2]),
+        first: AtRise,
+        begun: [f64; 2],
         spots: &mut SpotList,
     ) -> Result<(Solved, [AtRise; 2]), LoadShareError> {
         let unit_rise = self.film.surface_rise(1.0);
@@ -727,7 +730,8 @@ impl PositionFilm<'_> {
         &self,
         phi: f64,
         [before, after]: [AtRise; 2],
-        (rise, steepness): (f64, f64),
+        rise: f64,
+        steepness: f64,
     ) -> Result<(AtRise, f64), LoadShareError> {
         if after.rise == before.rise {
             return Ok((after, steepness));
@@ -743,8 +747,8 @@ impl PositionFilm<'_> {
         Ok((at, steepness))
     }
 
-    fn friction(&self, phi: f64, at: &AtRise, evidence: Solved) -> Friction {
-        Friction {
+    fn friction(&self, phi: f64, at: &AtRise, evidence: Solved) -> WindowFriction {
+        WindowFriction {
             shared: self.shared(phi, at),
             spot_film: at.spot.film,
             evidence,

@@ -194,12 +194,12 @@ impl SmoothContact {
             *p *= scale;
         }
         let mut displacement = vec![0.0; n];
-        let cell = (window.spacings[0], None, window.modulus);
+        let (spacing, modulus) = (window.spacings[0], window.modulus);
         match window.rows {
-            1 => solver.displacement(cell, &hertz, &mut displacement)?,
+            1 => solver.displacement(spacing, None, modulus, &hertz, &mut displacement)?,
             _ => {
                 let mut line = Solver::new(n, Boundary::FreeEnds)?;
-                line.displacement(cell, &hertz, &mut displacement)?;
+                line.displacement(spacing, None, modulus, &hertz, &mut displacement)?;
             }
         }
         let first = (0..n).find(|&i| place(i).abs() < a).unwrap_or(0);
@@ -373,9 +373,10 @@ impl RoughContact {
                 start: start.as_deref(),
                 ..*problem
             };
-            match is_exact {
-                true => solver.solve_exactly(&problem, settings),
-                false => solver.solve(&problem, settings),
+            if is_exact {
+                solver.solve_exactly(&problem, settings)
+            } else {
+                solver.solve(&problem, settings)
             }
         })?;
         self.last = Some((phi, solution.pressure.clone()));
@@ -394,7 +395,7 @@ impl RoughContact {
         cite!("Share-contact");
         let all = pressure.on(self.points());
         let solution = self.pressed(asperity_share, |solver, problem, settings| {
-            solver.solved_by(problem, settings, (&all, 0))
+            solver.solved_by(problem, settings, &all, 0)
         })?;
         Ok(self.state(asperity_share, solution))
     }
@@ -525,8 +526,9 @@ impl RoughContact {
         }
         let by_approach: f64 = -apart.iter().sum::<f64>();
         let mut by_pressure = vec![0.0; pressure.len()];
-        let cell = (self.grid.spacings[0], None, self.modulus);
-        self.solver.displacement(cell, &apart, &mut by_pressure)?;
+        let spacing = self.grid.spacings[0];
+        self.solver
+            .displacement(spacing, None, self.modulus, &apart, &mut by_pressure)?;
         let of_spots = pressure_gradient(pressure, self.grid.spacings[0], by_spots.iter());
         for (sum, of_cell) in by_pressure.iter_mut().zip(of_spots) {
             *sum += of_cell;

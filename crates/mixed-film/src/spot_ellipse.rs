@@ -22,7 +22,7 @@ const LEAST_PART: f64 = 1e-6;
 
 /// Spot of a patch as it was found.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Measured {
+pub(crate) struct MeasuredSpot {
     /// F²/Q \[m²\].
     pub(crate) load_over_squares: f64,
     /// F \[N\].
@@ -56,7 +56,7 @@ impl SpotEllipse {
     /// F²/Q = (3 π²/16) b Y I²/J,  middle load over mean load M/I,
     /// I = 1 − v²/3,  J = ∫₀^v (1 − t²)^(3/2) dt/v,  M = ∫₀^v √(1 − t²) dt/v                   [Spot-axes]
     /// ```
-    pub(crate) fn from_spot(spot: &Measured) -> Option<Self> {
+    pub(crate) fn from_spot(spot: &MeasuredSpot) -> Option<Self> {
         cite!("Spot-axes");
         let half_lead = 0.5 * spot.lead;
         let by_spread = half_length(spot.concentration, half_lead)?;
@@ -67,13 +67,12 @@ impl SpotEllipse {
         // a Y I²/J with the half axes a and r a.
         let wanted = 8.0 * spot.load_over_squares / (3.0 * PI * PI);
         let whole = (wanted / (ratio * shape(1.0))).sqrt();
-        let (a, part) = match ratio * whole <= half_lead {
-            true => (whole, 1.0),
-            false => {
-                let of_part = |v: f64| half_lead * half_lead * shape(v) / (ratio * v) - wanted;
-                let found = find_root(of_part, LEAST_PART, 1.0, 1e-14).ok()?.value;
-                (half_lead / (ratio * found), found)
-            }
+        let (a, part) = if ratio * whole <= half_lead {
+            (whole, 1.0)
+        } else {
+            let of_part = |v: f64| half_lead * half_lead * shape(v) / (ratio * v) - wanted;
+            let found = find_root(of_part, LEAST_PART, 1.0, 1e-14).ok()?.value;
+            (half_lead / (ratio * found), found)
         };
         let half_length = ratio * a;
         let load = load(part);
@@ -122,9 +121,10 @@ fn around(u: f64) -> f64 {
     /// Below it the series is exact to the last digit but one.
     const SMALL: f64 = 0.2;
     let square = u * u;
-    match u < SMALL {
-        true => 1.0 - square / 10.0 * (1.0 - square / 28.0 * (1.0 - square / 54.0)),
-        false => 3.0 * (u.sin() - u * u.cos()) / (square * u),
+    if u < SMALL {
+        1.0 - square / 10.0 * (1.0 - square / 28.0 * (1.0 - square / 54.0))
+    } else {
+        3.0 * (u.sin() - u * u.cos()) / (square * u)
     }
 }
 
@@ -144,7 +144,7 @@ mod tests {
     const PRESSURE: f64 = 1.3e9;
 
     /// The spot with the pressure of an ellipse with half axes \[m\], cut off at half of the lead, by sums.
-    fn measured([a, c]: [f64; 2]) -> Measured {
+    fn measured([a, c]: [f64; 2]) -> MeasuredSpot {
         let count = 4000;
         let y = c.min(0.5 * LEAD);
         let mut sums = [0.0; 4];
@@ -159,7 +159,7 @@ mod tests {
             sums[3] += load * (2.0 * PI * at / LEAD).cos();
         }
         let step = 2.0 * y / f64::from(count);
-        Measured {
+        MeasuredSpot {
             load_over_squares: step * sums[0] * sums[0] / sums[1],
             force: step * sums[0],
             deviation: (sums[2] / sums[0]).sqrt(),
@@ -195,7 +195,7 @@ mod tests {
         let expected = 16.0 * line.load_over_squares / (3.0 * PI * PI * 0.5 * LEAD);
         let mut before = f64::INFINITY;
         for c in [1e-4, 1e-3, 1e-2, 0.1] {
-            let found = SpotEllipse::from_spot(&Measured {
+            let found = SpotEllipse::from_spot(&MeasuredSpot {
                 concentration: measured([5e-6, c]).concentration,
                 ..line
             });
@@ -209,7 +209,7 @@ mod tests {
             before = off.max(1e-12);
         }
         assert!(before < 1e-6, "{before}");
-        let even = Measured {
+        let even = MeasuredSpot {
             concentration: 0.0,
             ..line
         };
@@ -222,7 +222,7 @@ mod tests {
         // The place where both ends meet, approached from both sides by its concentration and by its load.
         let at = |concentration: f64, factor: f64| {
             let spot = measured([8e-6, 0.5 * LEAD]);
-            let spot = Measured {
+            let spot = MeasuredSpot {
                 concentration,
                 load_over_squares: factor * spot.load_over_squares,
                 ..spot

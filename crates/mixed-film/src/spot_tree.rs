@@ -26,7 +26,7 @@ use asperity_core::cite;
 use asperity_core::quantity::{Length, LineLoad};
 use serde::Serialize;
 
-use crate::spot_ellipse::{Measured, SpotEllipse, spread_over_a_cell};
+use crate::spot_ellipse::{MeasuredSpot, SpotEllipse, spread_over_a_cell};
 
 /// Width of a Hertz contact times ∫ p² dx over (∫ p dx)²: 2a · (4/3) a p₀²/(π a p₀/2)².
 const HERTZ_WIDTH: f64 = 32.0 / (3.0 * PI * PI);
@@ -142,7 +142,7 @@ pub(crate) fn pressure_gradient(
 }
 
 /// A component of the cells above a level.
-struct Node {
+struct TreeNode {
     /// Its cells in the order of the tree: after those of its parts.
     cells: Range<usize>,
     /// Cell of the highest pressure at which its parts join; of a leaf the cell of its peak.
@@ -158,12 +158,12 @@ struct Node {
     /// Σ (t − s) f and Σ (t − s) q from the root to here.
     sums: [f64; 2],
     /// Of a patch: sums of its places, without weight and with the excess over s as weight.
-    places: [Places; 2],
+    places: [SpotPlaces; 2],
     /// Of a patch: Σ (t − s) f σ_x² and Σ (t − s) f ϱ from the root to here.
     spread: [f64; 2],
 }
 
-impl Node {
+impl TreeNode {
     fn rise(&self) -> f64 {
         self.levels[0] - self.levels[1]
     }
@@ -177,9 +177,9 @@ impl Node {
 /// Weighted sums over places on a patch: of the weight, the column and its square, and the cosine and the sine of the angle around
 /// the lead.
 #[derive(Debug, Clone, Copy, Default)]
-struct Places([f64; 5]);
+struct SpotPlaces([f64; 5]);
 
-impl Places {
+impl SpotPlaces {
     fn new(cell: usize, grid: &SpotGrid) -> Self {
         let (row, column) = (cell / grid.columns, (cell % grid.columns) as f64);
         let (sine, cosine) = (TAU * row as f64 / grid.rows as f64).sin_cos();
@@ -348,7 +348,7 @@ struct SpotTree {
     cells: Vec<usize>,
     pressures: Vec<f64>,
     /// Every component after the one around it.
-    nodes: Vec<Node>,
+    nodes: Vec<TreeNode>,
     /// The leaves, by the places of their peaks.
     peaks: Vec<usize>,
 }
@@ -396,7 +396,7 @@ impl SpotTree {
                     cell = next[cell];
                 }
             }
-            tree.nodes.push(Node {
+            tree.nodes.push(TreeNode {
                 cells: place[first]..place[first] + cells,
                 top: growing.top,
                 levels: [growing.level, bottom],
@@ -409,7 +409,7 @@ impl SpotTree {
                 excess: [0.0; 2],
                 content: [0.0; 2],
                 sums: [0.0; 2],
-                places: [Places::default(); 2],
+                places: [SpotPlaces::default(); 2],
                 spread: [0.0; 2],
             });
         }
@@ -434,7 +434,7 @@ impl SpotTree {
             let node = &self.nodes[at];
             let [top, bottom] = node.levels.map(powers);
             let mut excess = [0.0; 2];
-            let mut places = [Places::default(); 2];
+            let mut places = [SpotPlaces::default(); 2];
             let parts = node.children.iter().map(|&k| &self.nodes[k]);
             let end = parts.clone().map(|part| part.cells.end).max();
             let own = end.unwrap_or(node.cells.start)..node.cells.end;
@@ -444,7 +444,7 @@ impl SpotTree {
                     excess[m] += (of_cell[m] - bottom[m]) * dx;
                 }
                 if is_patch {
-                    let place = Places::new(*cell, &self.grid);
+                    let place = SpotPlaces::new(*cell, &self.grid);
                     places[0].add(&place, 1.0);
                     places[1].add(&place, of_cell[0] - bottom[0]);
                 }
@@ -522,11 +522,11 @@ impl SpotTree {
 
     /// The ellipse of a leaf on a patch; `None` if it is a ridge that is even along the lead. σ_x² and ϱ are means over the levels of
     /// pressure as F_k is, and over the loads of their components.
-    fn ellipse(&self, node: &Node) -> Option<SpotEllipse> {
+    fn ellipse(&self, node: &TreeNode) -> Option<SpotEllipse> {
         let [load, squares] = node.joint();
         let lead = self.grid.spacings[1].si() * self.grid.rows as f64;
         let [variance, concentration] = node.spread.map(|sum| sum / node.sums[0]);
-        SpotEllipse::from_spot(&Measured {
+        SpotEllipse::from_spot(&MeasuredSpot {
             load_over_squares: load * load * lead / squares,
             force: load * lead,
             deviation: variance.sqrt(),

@@ -154,9 +154,10 @@ impl Contact {
 fn radius_over_line(ratio: f64) -> f64 {
     let shorter = ratio.min(1.0 / ratio);
     let of = CompleteElliptic::from_complement(shorter * shorter);
-    match ratio >= 1.0 {
-        true => 1.0 / (of.first - of.difference),
-        false => 1.0 / (ratio * of.difference),
+    if ratio >= 1.0 {
+        1.0 / (of.first - of.difference)
+    } else {
+        1.0 / (ratio * of.difference)
     }
 }
 
@@ -172,9 +173,10 @@ fn radius_over_line(ratio: f64) -> f64 {
 fn carried_part(entrainment: f64, sliding: f64, half_width: f64, width: f64) -> f64 {
     cite!("Carried-part");
     let travel = CROSSING * entrainment * width / sliding;
-    match travel <= 2.0 * half_width {
-        true => travel / (4.0 * half_width),
-        false => 1.0 - half_width / travel,
+    if travel <= 2.0 * half_width {
+        travel / (4.0 * half_width)
+    } else {
+        1.0 - half_width / travel
     }
 }
 
@@ -502,10 +504,10 @@ impl SpotConditions<'_> {
         // A film rises with its speed, at most in proportion.
         let may_be_thinner = |film: f64| held >= film * (half_sliding / entrainment).min(1.0);
         let mut of_each = contacts.iter().zip(flowing);
-        let slow = match of_each.any(|(contact, film)| part(contact) < 1.0 && may_be_thinner(film))
-        {
-            true => self.flowing(state, contacts, half_sliding)?,
-            false => [f64::INFINITY; LANES],
+        let slow = if of_each.any(|(contact, film)| part(contact) < 1.0 && may_be_thinner(film)) {
+            self.flowing(state, contacts, half_sliding)?
+        } else {
+            [f64::INFINITY; LANES]
         };
         for (k, (contact, of_spot)) in contacts.iter().zip(films).enumerate() {
             let (part, film) = (part(contact), flowing[k]);

@@ -52,10 +52,10 @@ impl TraceSpectra {
         flattening: &Flattening,
         whole: &mut Option<AttenuatedTraces>,
     ) -> Result<WindowRoughness, LoadShareError> {
-        let piece = Piece::around(points);
+        let piece = SpectrumPiece::around(points);
         let longest = traces.map(Profile::len).into_iter().fold(0, usize::max);
         if longest > PIECES * piece.points {
-            return self.of_pieces(traces, (starts, points), piece, flattening);
+            return self.of_pieces(traces, starts, points, piece, flattening);
         }
         if let Some(attenuated) = whole {
             return attenuated.mirrored(starts, points);
@@ -79,8 +79,9 @@ impl TraceSpectra {
     fn of_pieces(
         &self,
         traces: [&Profile; 2],
-        (starts, points): ([isize; 2], usize),
-        piece: Piece,
+        starts: [isize; 2],
+        points: usize,
+        piece: SpectrumPiece,
         flattening: &Flattening,
     ) -> Result<WindowRoughness, LoadShareError> {
         let begins = starts.map(|start| piece.begin(start));
@@ -117,7 +118,7 @@ impl TraceSpectra {
 
 /// Points around a window that are transformed with it.
 #[derive(Clone, Copy)]
-struct Piece {
+struct SpectrumPiece {
     points: usize,
     /// Least points on either side of the window.
     margin: usize,
@@ -125,7 +126,7 @@ struct Piece {
     raster: isize,
 }
 
-impl Piece {
+impl SpectrumPiece {
     /// The piece around a window of `points` points: at least as many on either side.
     fn around(points: usize) -> Self {
         let margin = points;

@@ -51,9 +51,10 @@ fn level(values: &mut [f64]) {
     let count = values.len();
     let squares = distances(count).map(|x| x * x).sum::<f64>();
     let products = distances(count).zip(&*values).map(|(x, p)| x * p);
-    let slope = match squares > 0.0 {
-        true => products.sum::<f64>() / squares,
-        false => 0.0,
+    let slope = if squares > 0.0 {
+        products.sum::<f64>() / squares
+    } else {
+        0.0
     };
     for (p, x) in values.iter_mut().zip(distances(count)) {
         *p -= slope * x;

@@ -22,7 +22,8 @@ impl FilmError {
 
     /// The value \[m\] of an array at `index` violates a rule.
     pub(crate) fn bad_element(
-        (name, index): (&'static str, usize),
+        name: &'static str,
+        index: usize,
         value: f64,
         rule: &'static str,
     ) -> Self {

@@ -121,7 +121,7 @@ fn check(position: &[f64], gap: &[f64]) -> Result<(), FilmError> {
         return Err(FilmError::wrong_length("gap", points, gap.len()));
     }
     let bad_element = |name, values: &[f64], index: usize, rule| {
-        FilmError::bad_element((name, index), values[index], rule)
+        FilmError::bad_element(name, index, values[index], rule)
     };
     let is_gap = |h: &f64| h.is_finite() && *h > 0.0;
     if let Some(index) = gap.iter().position(|h| !is_gap(h)) {

@@ -32,7 +32,7 @@ pub struct Assumption {
 pub struct Lubricant {
     viscosity: Viscosity,
     density: DensityLine,
-    pressure_viscosity: Coefficient,
+    pressure_viscosity: PressureCoefficient,
     #[serde(skip_serializing_if = "Option::is_none")]
     pressure_viscosity_factor: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -54,7 +54,7 @@ pub(crate) enum Viscosity {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-enum Coefficient {
+enum PressureCoefficient {
     Given(PressureViscosity),
     Gold(BaseOil),
 }
@@ -316,9 +316,10 @@ impl LubricantInput {
         assumptions: &mut Vec<Assumption>,
     ) -> Result<DensityLine, LubricantError> {
         let density = self.density.ok_or({
-            match self.pressure_viscosity.is_none() && self.base_oil.is_none() {
-                true => LubricantError::no_density_nor_pressure_viscosity(),
-                false => LubricantError::no_density(),
+            if self.pressure_viscosity.is_none() && self.base_oil.is_none() {
+                LubricantError::no_density_nor_pressure_viscosity()
+            } else {
+                LubricantError::no_density()
             }
         })?;
         let temperature = self.density_temperature.unwrap_or_else(|| {
@@ -356,9 +357,11 @@ impl LubricantInput {
     fn resolve_coefficient(
         &self,
         assumptions: &mut Vec<Assumption>,
-    ) -> Result<Coefficient, LubricantError> {
+    ) -> Result<PressureCoefficient, LubricantError> {
         if let Some(alpha) = self.pressure_viscosity {
-            return Ok(Coefficient::Given(plausible_pressure_viscosity(alpha)?));
+            return Ok(PressureCoefficient::Given(plausible_pressure_viscosity(
+                alpha,
+            )?));
         }
         let base_oil = self
             .base_oil
@@ -368,7 +371,7 @@ impl LubricantInput {
             value: "from the kinematic viscosity and the base oil".to_owned(),
             source: "Gold 2001 with the constants of Fernandes 2013",
         });
-        Ok(Coefficient::Gold(base_oil))
+        Ok(PressureCoefficient::Gold(base_oil))
     }
 }
 
@@ -393,9 +396,10 @@ impl Lubricant {
         };
         let distance = |celsius: f64| (viscosity(self, celsius) / viscosity(other, celsius)).ln();
         let distances = [40.0, 100.0].map(|celsius| distance(celsius).abs());
-        match distances.iter().all(|one| one.is_finite()) {
-            true => distances[0].max(distances[1]),
-            false => f64::INFINITY,
+        if distances.iter().all(|one| one.is_finite()) {
+            distances[0].max(distances[1])
+        } else {
+            f64::INFINITY
         }
     }
 
@@ -408,8 +412,8 @@ impl Lubricant {
     /// Pressure-viscosity coefficient, where it is given and not estimated.
     pub fn given_pressure_viscosity(&self) -> Option<PressureViscosity> {
         match self.pressure_viscosity {
-            Coefficient::Given(alpha) => Some(alpha),
-            Coefficient::Gold(_) => None,
+            PressureCoefficient::Given(alpha) => Some(alpha),
+            PressureCoefficient::Gold(_) => None,
         }
     }
 
@@ -469,8 +473,8 @@ impl Lubricant {
         let (density, eta, beta) = self.viscosity(temperature, &mut outside)?;
         let nu = KinematicViscosity::from_si(eta.si() / density.si());
         let alpha = match self.pressure_viscosity {
-            Coefficient::Given(alpha) => alpha,
-            Coefficient::Gold(base_oil) => {
+            PressureCoefficient::Given(alpha) => alpha,
+            PressureCoefficient::Gold(base_oil) => {
                 noted(gold_pressure_viscosity(base_oil, nu)?, &mut outside)
             }
         };

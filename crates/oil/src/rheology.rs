@@ -496,7 +496,7 @@ impl FilmRheology {
         sliding: Speed,
         film: Length,
     ) -> Result<Solved, LubricantError> {
-        self.shear_stress_from((pressure, sliding, film), wall_temperature, None)
+        self.shear_stress_from(pressure, sliding, film, wall_temperature, None)
     }
 
     /// [`shear_stress`](Self::shear_stress) at a pressure, a sliding speed and a film thickness, with a guess of it as in
@@ -506,7 +506,9 @@ impl FilmRheology {
     /// As [`shear_stress`](Self::shear_stress).
     pub fn shear_stress_from(
         &self,
-        (pressure, sliding, film): (Pressure, Speed, Length),
+        pressure: Pressure,
+        sliding: Speed,
+        film: Length,
         wall_temperature: Temperature,
         start: Option<f64>,
     ) -> Result<Solved, LubricantError> {
@@ -577,9 +579,10 @@ impl FilmRheology {
     /// Highest stress over the unheated one: where the limit rises with the temperature, the stress may rise above that, even if it
     /// falls at first.
     fn highest_over_cold(&self) -> f64 {
-        match self.constants.limiting_shear_fall.si() < 0.0 {
-            true => 2.0,
-            false => ROUNDED,
+        if self.constants.limiting_shear_fall.si() < 0.0 {
+            2.0
+        } else {
+            ROUNDED
         }
     }
 
@@ -593,7 +596,7 @@ impl FilmRheology {
         points: impl Iterator<Item = (FilmPoint, Option<f64>)>,
         wall_temperature: f64,
     ) -> Result<[[f64; 2]; LANES], LubricantError> {
-        let mut lanes = Lanes::default();
+        let mut lanes = RheologyLanes::default();
         let mut each = [(FilmPoint::REST, None); LANES];
         let mut count = 0;
         for (place, point) in each.iter_mut().zip(points) {
@@ -657,7 +660,7 @@ impl FilmRheology {
     }
 
     /// Stresses and slopes of all lanes; `None` where one leaves its bracket, which bisection would not.
-    fn together(&self, lanes: &Lanes, wall: f64) -> Option<[[f64; 2]; LANES]> {
+    fn together(&self, lanes: &RheologyLanes, wall: f64) -> Option<[[f64; 2]; LANES]> {
         vectorised(
             #[inline(always)]
             || match self.pressure {
@@ -680,7 +683,7 @@ impl FilmRheology {
     #[inline(always)]
     fn newton(
         &self,
-        lanes: &Lanes,
+        lanes: &RheologyLanes,
         wall: f64,
         log: impl Fn([f64; 2], f64, f64) -> [f64; 2] + Copy,
     ) -> Option<[[f64; 2]; LANES]> {
@@ -732,7 +735,7 @@ impl FilmRheology {
     #[inline(always)]
     fn stresses(
         &self,
-        lanes: &Lanes,
+        lanes: &RheologyLanes,
         temperature: &[f64; LANES],
         log_viscosity: impl Fn([f64; 2], f64, f64) -> [f64; 2] + Copy,
     ) -> ([f64; LANES], [f64; LANES]) {
@@ -748,7 +751,7 @@ impl FilmRheology {
     fn limited_by(
         &self,
         power: f64,
-        lanes: &Lanes,
+        lanes: &RheologyLanes,
         temperature: &[f64; LANES],
         log_viscosity: impl Fn([f64; 2], f64, f64) -> [f64; 2],
     ) -> ([f64; LANES], [f64; LANES]) {
@@ -771,7 +774,7 @@ impl FilmRheology {
 
 /// Points that are sheared together, a quantity an array.
 #[derive(Default)]
-struct Lanes {
+struct RheologyLanes {
     /// Lanes in use.
     count: usize,
     pressure: [f64; LANES],

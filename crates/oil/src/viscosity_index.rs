@@ -145,9 +145,10 @@ pub fn viscosity_at_100(
     // The index rises with the viscosity at 100 °C.
     for _ in 0..STEPS {
         let middle = (low + high) / 2.0;
-        match viscosity_index(at_40, middle)? < index {
-            true => low = middle,
-            false => high = middle,
+        if viscosity_index(at_40, middle)? < index {
+            low = middle
+        } else {
+            high = middle
         }
     }
     Ok(high)

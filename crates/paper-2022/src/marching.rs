@@ -137,8 +137,9 @@ fn load_not_reached(error: f64, allowed: f64, steps: usize) -> PositionError {
 
 /// Digits that mean something, however small the value.
 fn percent(value: f64) -> String {
-    match value >= 0.01 {
-        true => format!("{value:.2}"),
-        false => format!("{value:.1e}"),
+    if value >= 0.01 {
+        format!("{value:.2}")
+    } else {
+        format!("{value:.1e}")
     }
 }

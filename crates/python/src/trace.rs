@@ -217,10 +217,7 @@ impl Plan {
     }
 
     fn filter(&self) -> RoughnessFilter {
-        match self.robust {
-            true => RoughnessFilter::RobustGaussian,
-            false => RoughnessFilter::Gaussian,
-        }
+        if self.robust { RoughnessFilter::RobustGaussian } else { RoughnessFilter::Gaussian }
     }
 
     fn involute(&self) -> Result<Option<Involute>, Failure> {
@@ -366,10 +363,7 @@ impl Trace {
         let ends: Ends = named("ends", ends)?;
         alone(py, || {
             let cutoff = Length::from_si(cutoff);
-            let line = match robust {
-                true => robust_mean_line(&self.profile, cutoff)?.heights,
-                false => mean_line(&self.profile, cutoff, ends)?,
-            };
+            let line = if robust { robust_mean_line(&self.profile, cutoff)?.heights } else { mean_line(&self.profile, cutoff, ends)? };
             let line = Profile::new(self.profile.spacing(), line)?;
             Ok(Self::made(line, json!({ "warnings": [] })))
         })
@@ -566,13 +560,10 @@ pub fn generate_like(
     };
     let (before, after) = (profiles(&before), profiles(&after));
     alone(py, || {
-        let like = match after.is_empty() {
-            true => Like::to(&before[0], &before[1..], wanted.method)?,
-            false => {
+        let like = if after.is_empty() { Like::to(&before[0], &before[1..], wanted.method)? } else {
                 let state = StateOfTest::stated(wanted.state, wanted.engagements, &wanted.stages)?;
                 Like::of_stages(&before, &after, state)?
-            }
-        };
+            };
         let made = like.generate(wanted.seed)?;
         let recipe = made.recipe.map(Surface::Fitted).map(Recipe::from_surface);
         let warnings: Vec<Value> = like.warnings.iter().map(of_roughness).collect();

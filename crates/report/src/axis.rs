@@ -168,9 +168,12 @@ impl Nodes {
         };
         let none = || Fault::new(Code::E209, "at least one node is required");
         nodes
-            .and_then(|nodes| match nodes.is_empty() {
-                true => Err(none()),
-                false => Ok(nodes),
+            .and_then(|nodes| {
+                if nodes.is_empty() {
+                    Err(none())
+                } else {
+                    Ok(nodes)
+                }
             })
             .map_err(|error| error.about(name))
     }

@@ -27,7 +27,7 @@ use serde::Serialize;
 use crate::chart::Drawing;
 use crate::columns::Table;
 use crate::html::overview::DOUBTFUL;
-use crate::html::{Section, figure, page_of};
+use crate::html::{PageSection, figure, page_of};
 use crate::wrap::wrapped;
 use crate::{tables, write_text};
 
@@ -91,14 +91,14 @@ impl Display for LeftOut {
 pub struct Report<'a> {
     title: String,
     subtitle: String,
-    blocks: Vec<(Faces, Block<'a>)>,
+    blocks: Vec<(BlockFaces, Block<'a>)>,
     /// Number of the first block of the last call.
     last: usize,
 }
 
 /// The faces that show a block.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Faces {
+enum BlockFaces {
     Both,
     Page,
     Terminal,
@@ -128,10 +128,13 @@ impl Block<'_> {
         match self {
             Self::Verdict(line) => html! { p.answer { (line) } },
             Self::Text(line) => html! { p { (line) } },
-            Self::Warning(line) => match is_doubtful(line) {
-                true => html! { p.grave { strong { (DOUBTFUL) } " " (line) } },
-                false => html! { p { (line) } },
-            },
+            Self::Warning(line) => {
+                if is_doubtful(line) {
+                    html! { p.grave { strong { (DOUBTFUL) } " " (line) } }
+                } else {
+                    html! { p { (line) } }
+                }
+            }
             Self::Heading(line) => html! { h3 { (line) } },
             Self::Code(code) => html! { pre { code { (code) } } },
             Self::Table(table) => table.render(),
@@ -173,12 +176,12 @@ impl<'a> Report<'a> {
 
     fn with(mut self, blocks: impl IntoIterator<Item = Block<'a>>) -> Self {
         self.last = self.blocks.len();
-        let blocks = blocks.into_iter().map(|block| (Faces::Both, block));
+        let blocks = blocks.into_iter().map(|block| (BlockFaces::Both, block));
         self.blocks.extend(blocks);
         self
     }
 
-    fn only(mut self, faces: Faces) -> Self {
+    fn only(mut self, faces: BlockFaces) -> Self {
         for (of, _) in &mut self.blocks[self.last..] {
             *of = faces;
         }
@@ -187,17 +190,17 @@ impl<'a> Report<'a> {
 
     /// Leaves the blocks of the last call to the page.
     pub fn on_page(self) -> Self {
-        self.only(Faces::Page)
+        self.only(BlockFaces::Page)
     }
 
     /// Leaves the blocks of the last call to the terminal.
     pub fn in_terminal(self) -> Self {
-        self.only(Faces::Terminal)
+        self.only(BlockFaces::Terminal)
     }
 
     /// Leaves the tables of the last call to the folder.
     pub fn in_folder(self) -> Self {
-        self.only(Faces::Folder)
+        self.only(BlockFaces::Folder)
     }
 
     /// A section of the page; the terminal goes on without a line. An empty section is omitted.
@@ -387,17 +390,19 @@ impl<'a> Report<'a> {
     }
 
     fn title_line(&self) -> String {
-        match self.title.is_empty() {
-            true => String::new(),
-            false => format!("{}\n", one_line(&self.title)),
+        if self.title.is_empty() {
+            String::new()
+        } else {
+            format!("{}\n", one_line(&self.title))
         }
     }
 
     /// The blocks of the terminal with their lines.
     fn parts(&self) -> Vec<(&Block<'a>, String)> {
         let blocks = self.blocks.iter();
-        let blocks = blocks.filter(|(faces, _)| matches!(faces, Faces::Both | Faces::Terminal));
-        let part = |(_, block): &'_ (Faces, Block<'a>)| -> Option<String> {
+        let blocks =
+            blocks.filter(|(faces, _)| matches!(faces, BlockFaces::Both | BlockFaces::Terminal));
+        let part = |(_, block): &'_ (BlockFaces, Block<'a>)| -> Option<String> {
             let (shown, indent) = match block {
                 Block::Verdict(line) | Block::Text(line) => (line, HANGING),
                 Block::Heading(line) | Block::Method(line) => (line, ""),
@@ -427,12 +432,12 @@ impl<'a> Report<'a> {
     /// The report as a page.
     #[must_use]
     pub fn page(&self) -> String {
-        let mut sections = vec![Section::new("", false)];
+        let mut sections = vec![PageSection::new("", false)];
         let mut method = Vec::new();
         for block in self.on_pages() {
             let markup = match block {
                 Block::Section { name, is_folded } => {
-                    sections.push(Section::new(name, *is_folded));
+                    sections.push(PageSection::new(name, *is_folded));
                     continue;
                 }
                 Block::Method(line) => {
@@ -445,9 +450,9 @@ impl<'a> Report<'a> {
                 section.body.0 += &markup.0;
             }
         }
-        sections.push(Section {
+        sections.push(PageSection {
             body: html! { @for line in method { p { (line) } } },
-            ..Section::new(METHOD, true)
+            ..PageSection::new(METHOD, true)
         });
         let subtitle = format!("{PROGRAM} · {}", self.subtitle);
         page_of(&self.title, &subtitle, Some("study"), &sections)
@@ -456,7 +461,8 @@ impl<'a> Report<'a> {
     /// The blocks that a page shows.
     fn on_pages(&self) -> impl Iterator<Item = &Block<'a>> {
         let blocks = self.blocks.iter();
-        let blocks = blocks.filter(|(faces, _)| matches!(faces, Faces::Both | Faces::Page));
+        let blocks =
+            blocks.filter(|(faces, _)| matches!(faces, BlockFaces::Both | BlockFaces::Page));
         blocks.map(|(_, block)| block)
     }
 

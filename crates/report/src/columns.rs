@@ -584,11 +584,14 @@ impl Table {
                 return widths;
             }
             let columns = shown.iter().zip(&widths).zip(headings);
-            let lower = columns.map(|((column, width), lines)| match lines.len() == tall {
-                true => (*width..)
-                    .find(|width| column.heading_lines(*width).len() < tall)
-                    .unwrap_or(*width),
-                false => *width,
+            let lower = columns.map(|((column, width), lines)| {
+                if lines.len() == tall {
+                    (*width..)
+                        .find(|width| column.heading_lines(*width).len() < tall)
+                        .unwrap_or(*width)
+                } else {
+                    *width
+                }
             });
             let lower: Vec<usize> = lower.collect();
             let total = length(indent) + lower.iter().map(|width| width + 2).sum::<usize>() - 2;

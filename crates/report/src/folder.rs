@@ -292,9 +292,10 @@ pub fn read_result(path: &Path) -> Result<(PathBuf, RunResult), Fault> {
     if !holds(&MARK) && [PLANETARY_MARK, TRAIN_MARK].iter().any(holds) {
         return Err(error::of_train(path));
     }
-    let file = match path.is_dir() {
-        true => path.join(MARK),
-        false => path.to_owned(),
+    let file = if path.is_dir() {
+        path.join(MARK)
+    } else {
+        path.to_owned()
     };
     let folder = match file.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
@@ -313,9 +314,12 @@ fn read_json<T>(
         std::io::ErrorKind::Other => refused("it is not a file, or too large for a result"),
         _ => refused("there is no such file"),
     })?;
-    parsed(&bytes).map_err(|error| match error.is_data() {
-        true => error::damaged(file, &value_path(&bytes, &error), error),
-        false => refused("it is not JSON"),
+    parsed(&bytes).map_err(|error| {
+        if error.is_data() {
+            error::damaged(file, &value_path(&bytes, &error), error)
+        } else {
+            refused("it is not JSON")
+        }
     })
 }
 

@@ -116,16 +116,17 @@ pub fn pair_of(preset: &GearPreset) -> Result<(Length, f64), Fault> {
 pub fn strength(steel: &SteelPreset) -> Result<(f64, Option<f64>), Fault> {
     let hardness = steel.hardness.value;
     let flow = hardness.flow_pressure().map_err(Fault::internal)?;
-    let limit = match steel.is_powder_metal() {
-        true => None,
-        false => Some(
+    let limit = if steel.is_powder_metal() {
+        None
+    } else {
+        Some(
             hardness
                 .yield_strength()
                 .map_err(Fault::internal)?
                 .value
                 .si()
                 / 1e6,
-        ),
+        )
     };
     Ok((flow.si() / 1e9, limit))
 }

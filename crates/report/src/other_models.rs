@@ -29,9 +29,12 @@ pub(crate) fn outside(uncertainty: &Uncertainty) -> Option<String> {
     let side = |losses: &[f64], words: [&str; 2], farthest: f64, end: f64| {
         let [farthest, end] = [farthest, end].map(|loss| uncertainty.digits().rounded(loss));
         let count = losses.len();
-        (count > 0).then(|| match farthest == end {
-            true => format!("{count} just {}", words[0]),
-            false => format!("{count} {}, {} to {farthest} W", words[0], words[1]),
+        (count > 0).then(|| {
+            if farthest == end {
+                format!("{count} just {}", words[0])
+            } else {
+                format!("{count} {}, {} to {farthest} W", words[0], words[1])
+            }
         })
     };
     let [lowest, highest] = numerics::range(outside.iter().copied());

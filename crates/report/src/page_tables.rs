@@ -45,15 +45,16 @@ impl TryFrom<Stored> for PageTables {
         if let Some(contact) = &stored.contact {
             contact.check()?;
         }
-        match stored.views.iter().all(ContactView::is_whole) {
-            true => Ok(Self {
+        if stored.views.iter().all(ContactView::is_whole) {
+            Ok(Self {
                 flanks: stored.flanks,
                 load_map: stored.load_map,
                 contact: stored.contact,
                 views: stored.views,
                 file: stored.file,
-            }),
-            false => Err(OwnFault::NotAField),
+            })
+        } else {
+            Err(OwnFault::NotAField)
         }
     }
 }

@@ -180,9 +180,10 @@ impl Powers {
 /// assert_eq!([18.6, 60.0, 85.0, 372.0].map(duration), ["19 min", "1 h", "85 min", "6.2 h"]);
 /// ```
 pub fn duration(minutes: f64) -> String {
-    match minutes < 120.0 && minutes.round() != 60.0 {
-        true => format!("{minutes:.0} min"),
-        false => format!("{} h", (minutes / 6.0).round() / 10.0),
+    if minutes < 120.0 && minutes.round() != 60.0 {
+        format!("{minutes:.0} min")
+    } else {
+        format!("{} h", (minutes / 6.0).round() / 10.0)
     }
 }
 

@@ -70,9 +70,12 @@ pub fn certain(ridges: &Ridges) -> Option<String> {
     const PLACED: usize = 3;
     let above = (1..).zip(&ridges.rows).filter(|(_, row)| is_certain(row));
     let above: Vec<(usize, &RidgeRow)> = above.collect();
-    let place = |(number, row): &(usize, &RidgeRow)| match above.len() <= PLACED {
-        true => format!("{number} ({} at {:.3} mm)", row.flank, row.place_mm),
-        false => number.to_string(),
+    let place = |(number, row): &(usize, &RidgeRow)| {
+        if above.len() <= PLACED {
+            format!("{number} ({} at {:.3} mm)", row.flank, row.place_mm)
+        } else {
+            number.to_string()
+        }
     };
     let above: Vec<String> = above.iter().map(place).collect();
     let of_all = format!("of the {} ridges", ridges.rows.len());

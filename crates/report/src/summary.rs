@@ -41,8 +41,10 @@ pub fn summary_within(result: &RunResult, columns: usize) -> String {
 /// without.
 pub fn brief(result: &RunResult, columns: usize, most: usize) -> String {
     let mut parts = verdict(result, columns);
-    parts.extend(weightiest(result).map(|warning| (Part::Needed, short_note(&warning, columns))));
-    for rank in [Part::Bulk, Part::Regime, Part::Remedy] {
+    parts.extend(
+        weightiest(result).map(|warning| (SummaryPart::Needed, short_note(&warning, columns))),
+    );
+    for rank in [SummaryPart::Bulk, SummaryPart::Regime, SummaryPart::Remedy] {
         if text_of(&parts).lines().count() > most {
             parts.retain(|(part, _)| *part != rank);
         }
@@ -52,14 +54,14 @@ pub fn brief(result: &RunResult, columns: usize, most: usize) -> String {
 
 /// Parts of a verdict: those that a first screen needs, and those that it can do without.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum SummaryPart {
     Needed,
     Regime,
     Bulk,
     Remedy,
 }
 
-fn text_of(parts: &[(Part, String)]) -> String {
+fn text_of(parts: &[(SummaryPart, String)]) -> String {
     parts.iter().map(|(_, text)| text.as_str()).collect()
 }
 
@@ -176,21 +178,21 @@ fn line(text: &str, indent: &str, columns: usize) -> String {
 }
 
 /// Title, headline, parts, regime, the composition of the interval, and the ridges. The headline is never broken.
-fn verdict(result: &RunResult, columns: usize) -> Vec<(Part, String)> {
+fn verdict(result: &RunResult, columns: usize) -> Vec<(SummaryPart, String)> {
     let of_mesh = result.uncertainty.as_ref();
     let head = line(&one_line(&result.title), INDENT, columns) + &headline(result) + "\n";
     let printed = PrintedLoss::new(&result.summary, of_mesh);
     let gearbox = result.gearbox.as_ref();
     let gearbox = gearbox.map(|gearbox| gearbox_headline(gearbox, of_mesh));
     let regime = format!("regime  {}", regime(&result.summary));
-    let needed = |text: String| (Part::Needed, text);
+    let needed = |text: String| (SummaryPart::Needed, text);
     let lines = gearbox.into_iter().chain([parts(&printed)]).map(needed);
-    let lines = lines.chain([(Part::Regime, regime)]);
+    let lines = lines.chain([(SummaryPart::Regime, regime)]);
     let lines = lines.chain(
         result
             .bulk
             .as_ref()
-            .map(|bulk| (Part::Bulk, bulk_text(bulk))),
+            .map(|bulk| (SummaryPart::Bulk, bulk_text(bulk))),
     );
     let lines = lines.chain(replaced_oil(&result.warnings).map(needed));
     let lines = lines.chain(run_in(result).map(needed));
@@ -219,9 +221,12 @@ const NEARLY_ALL: f64 = 0.95;
 
 /// The regime with the load on the asperities.
 pub(crate) fn regime(s: &Summary) -> String {
-    let percent = |share: f64| match share < 0.005 {
-        true => "< 1 %".to_owned(),
-        false => format!("{:.0} %", 100.0 * share),
+    let percent = |share: f64| {
+        if share < 0.005 {
+            "< 1 %".to_owned()
+        } else {
+            format!("{:.0} %", 100.0 * share)
+        }
     };
     let mixed = format!("mixed on {} of the path", percent(s.mixed_share));
     let regime = match s.regime {
@@ -230,12 +235,13 @@ pub(crate) fn regime(s: &Summary) -> String {
         Regime::Boundary if s.mixed_share >= NEARLY_ALL => s.regime_words().to_owned(),
         Regime::Boundary => s.regime_words().replacen(Regime::Mixed.name(), &mixed, 1),
     };
-    match s.mixed_share == 0.0 && s.asperity_share < 0.005 {
-        true => regime,
-        false => format!(
+    if s.mixed_share == 0.0 && s.asperity_share < 0.005 {
+        regime
+    } else {
+        format!(
             "{regime}, {} of the load on asperities",
             percent(s.asperity_share)
-        ),
+        )
     }
 }
 
@@ -296,12 +302,13 @@ fn pairs_text(pairs: &PairSampling, names: [&str; 2]) -> String {
 
 /// Words for the several traces of each flank: rows of its scan, or as [`FlankRecord::teeth`].
 pub(crate) fn sampled_as(pairs: &TracePairs, flanks: &[FlankRecord; 2]) -> [&'static str; 2] {
-    [0, 1].map(
-        |body| match pairs.traces[body].iter().all(|trace| trace.row.is_some()) {
-            true => ROWS,
-            false => flanks[body].teeth(),
-        },
-    )
+    [0, 1].map(|body| {
+        if pairs.traces[body].iter().all(|trace| trace.row.is_some()) {
+            ROWS
+        } else {
+            flanks[body].teeth()
+        }
+    })
 }
 
 /// Words for rows of a scan.
@@ -315,9 +322,10 @@ pub(crate) fn one_of(name: &str) -> &str {
 /// Number of flanks of the wheel, which are named if those of the pinion have another name.
 pub(crate) fn counted_of_wheel(pairs: &PairSampling, [pinion, wheel]: [&str; 2]) -> String {
     let count = pairs.traces[1];
-    match pinion == wheel {
-        true => count.to_string(),
-        false => format!("{count} {wheel}"),
+    if pinion == wheel {
+        count.to_string()
+    } else {
+        format!("{count} {wheel}")
     }
 }
 
@@ -337,9 +345,10 @@ fn relief_text(result: &RunResult) -> Option<String> {
 
 /// A scatter with two digits.
 pub(crate) fn two_digits(power: f64) -> String {
-    match power > 0.0 {
-        true => rounded(power, power),
-        false => "0".to_owned(),
+    if power > 0.0 {
+        rounded(power, power)
+    } else {
+        "0".to_owned()
     }
 }
 
@@ -377,9 +386,10 @@ fn micropitting_text(report: &MicropittingReport) -> String {
         }
         _ => "no permissible value stated".to_owned(),
     };
-    let scope = match report.outside.is_empty() {
-        true => "by the form of ISO/TS 6336-22",
-        false => "by the form of ISO/TS 6336-22, outside of its scope",
+    let scope = if report.outside.is_empty() {
+        "by the form of ISO/TS 6336-22"
+    } else {
+        "by the form of ISO/TS 6336-22, outside of its scope"
     };
     format!(
         "micropitting  lambda_GF {:.3} at {:.0} % of the path, {}; {against}; {scope}",
@@ -425,12 +435,13 @@ fn positions(s: &Summary) -> String {
 fn convergence(result: &RunResult) -> String {
     let s = &result.summary;
     let count = positions(s);
-    match s.mixed_share > 0.0 {
-        true => format!(
+    if s.mixed_share > 0.0 {
+        format!(
             "solved  {count} (worst load error {:.0e}, duality gap {:.0e})",
             s.worst_load_error, s.worst_duality_gap,
-        ),
-        false => format!("solved  {count} (full film: no contact to solve)"),
+        )
+    } else {
+        format!("solved  {count} (full film: no contact to solve)")
     }
 }
 
@@ -483,9 +494,10 @@ pub(crate) fn run_in(result: &RunResult) -> Option<String> {
     };
     let [[after, of_wheel], [before, wheel]] = [run_in.run_in.rq_um, run_in.measured.rq_um];
     let engagements = run_in.steps.last().map_or(0.0, |step| step.engagements);
-    let more = match run_in.is_settled {
-        true => "",
-        false => ", with which Rq still changes",
+    let more = if run_in.is_settled {
+        ""
+    } else {
+        ", with which Rq still changes"
     };
     Some(format!(
         "Run in over {engagements} engagements at {} N m{more}: loss {} instead of {}, Rq {after:.3} and {of_wheel:.3} for {before:.3} and {wheel:.3} µm; \
@@ -502,7 +514,7 @@ const LARGEST_PARTS: usize = 3;
 const NOTED_SHIFT: f64 = 0.01;
 
 /// The largest parts of the interval, what narrows it in one line, and the trust in the flanks.
-fn composition(uncertainty: &Uncertainty, columns: usize) -> Vec<(Part, String)> {
+fn composition(uncertainty: &Uncertainty, columns: usize) -> Vec<(SummaryPart, String)> {
     let digits = uncertainty.digits();
     let parts = uncertainty.loss.parts.iter().take(LARGEST_PARTS);
     let parts: Vec<_> = parts
@@ -517,7 +529,7 @@ fn composition(uncertainty: &Uncertainty, columns: usize) -> Vec<(Part, String)>
         let named: Vec<String> = named.collect();
         let named = named.join(", ");
         let named = format!("uncertain  {named} (each half the width of its 90 % interval)");
-        lines.push((Part::Needed, named));
+        lines.push((SummaryPart::Needed, named));
         // Of flanks without traces the sampling is narrowed by traces.
         let is_vain = |part: &UncertaintyPart| {
             part.about == Some(Subject::Sampling)
@@ -527,12 +539,12 @@ fn composition(uncertainty: &Uncertainty, columns: usize) -> Vec<(Part, String)>
         let narrowed = parts.into_iter().filter(|part| !is_vain(part));
         let narrowed: Vec<&UncertaintyPart> = narrowed.collect();
         if !narrowed.is_empty() {
-            lines.push((Part::Remedy, remedies(&narrowed, columns)));
+            lines.push((SummaryPart::Remedy, remedies(&narrowed, columns)));
         }
     }
     if uncertainty.trust != Trust::SolvedContact {
         let trust = format!("trust  {}", uncertainty.trust_text());
-        lines.push((Part::Needed, trust));
+        lines.push((SummaryPart::Needed, trust));
     }
     lines
 }

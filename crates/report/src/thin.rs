@@ -67,9 +67,10 @@ pub(crate) fn thin_rising(
         let (mut inside, mut end) = (from, count);
         while end - inside > 1 {
             let middle = inside.midpoint(end);
-            match bin(coordinate(middle)) == here {
-                true => inside = middle,
-                false => end = middle,
+            if bin(coordinate(middle)) == here {
+                inside = middle
+            } else {
+                end = middle
             }
         }
         selected.extend(places(from..end));

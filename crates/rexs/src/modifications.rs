@@ -15,7 +15,7 @@ use crate::writer::{Text, quantity, rounded, source};
 use asperity_core::Fault;
 
 /// Attributes of a relief at the tip or the root.
-struct Relief {
+struct RexsRelief {
     /// Component and key of the case.
     kind: &'static str,
     amount: &'static str,
@@ -25,8 +25,8 @@ struct Relief {
     stated_at: [&'static str; 2],
 }
 
-const RELIEFS: [Relief; 2] = [
-    Relief {
+const RELIEFS: [RexsRelief; 2] = [
+    RexsRelief {
         kind: "tip_relief",
         amount: "tip_relief_depth",
         length: "tip_relief_datum_length",
@@ -36,7 +36,7 @@ const RELIEFS: [Relief; 2] = [
             "tip_relief_evaluation_reference_length",
         ],
     },
-    Relief {
+    RexsRelief {
         kind: "root_relief",
         amount: "root_relief_depth",
         length: "root_relief_datum_length",
@@ -120,7 +120,7 @@ impl Text<'_> {
             .collect()
     }
 
-    fn relief(&mut self, name: &str, flank: &Component, names: &Relief) -> Result<(), Fault> {
+    fn relief(&mut self, name: &str, flank: &Component, names: &RexsRelief) -> Result<(), Fault> {
         let model = self.model();
         let mut reliefs = model.referenced(flank, names.kind);
         let Some(part) = reliefs.next() else {

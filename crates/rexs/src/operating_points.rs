@@ -117,9 +117,10 @@ impl Point<'_> {
                 // The gear's shaft has precedence.
                 && (pinion_speed.is_none() || *ratio == 1.0)
             {
-                let from = match speed < 0.0 {
-                    true => format!("{from}, negative there; a case has no direction of rotation"),
-                    false => from,
+                let from = if speed < 0.0 {
+                    format!("{from}, negative there; a case has no direction of rotation")
+                } else {
+                    from
                 };
                 pinion_speed = Some(((speed / ratio).abs(), through(from, *ratio)));
             }
@@ -175,9 +176,10 @@ impl Point<'_> {
 /// The source of a torque, with a note where its sign is left out: files count it about the axis of a shaft, a case positive
 /// where the pinion drives.
 fn signed(from: String, torque: f64) -> String {
-    match torque < 0.0 {
-        true => format!("{from}, negative there; state it negative if the wheel drives"),
-        false => from,
+    if torque < 0.0 {
+        format!("{from}, negative there; state it negative if the wheel drives")
+    } else {
+        from
     }
 }
 

@@ -52,9 +52,10 @@ pub fn train_text(
         }
         let names: Vec<String> = on.iter().map(|shaft| quoted(&shaft.name)).collect();
         let ids: Vec<&str> = on.iter().filter_map(|shaft| shaft.id).collect();
-        let from = match ids.is_empty() {
-            true => "the file has no shafts".to_owned(),
-            false => format!("shaft {}", ids.join(", ")),
+        let from = if ids.is_empty() {
+            "the file has no shafts".to_owned()
+        } else {
+            format!("shaft {}", ids.join(", "))
         };
         case.sourced_line(&format!("shafts = [{}]", names.join(", ")), &from);
         case.within = format!("{table}.");

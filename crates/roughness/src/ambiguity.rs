@@ -180,14 +180,14 @@ pub fn ambiguity(
 }
 
 /// Parameters in both modes (ISO 4287 first) and with both equivalent lines (least squares first).
-struct Evaluated {
+struct EvaluatedVariation {
     heights: [HeightParameters; 2],
     lines: [RkParameters; 2],
 }
 
-fn evaluated(prepared: &Profile, sections: Sections) -> Result<Evaluated, RoughnessError> {
+fn evaluated(prepared: &Profile, sections: Sections) -> Result<EvaluatedVariation, RoughnessError> {
     let sections = sections.number_in(prepared)?;
-    Ok(Evaluated {
+    Ok(EvaluatedVariation {
         heights: [
             in_sections(prepared, Mode::Iso4287, sections)?,
             in_sections(prepared, Mode::Iso21920, sections)?,
@@ -198,9 +198,9 @@ fn evaluated(prepared: &Profile, sections: Sections) -> Result<Evaluated, Roughn
 
 /// Parameters of the recipe and of recipes with one changed choice.
 struct Variations {
-    base: Evaluated,
-    other_ends: Vec<Evaluated>,
-    without_short: Option<Evaluated>,
+    base: EvaluatedVariation,
+    other_ends: Vec<EvaluatedVariation>,
+    without_short: Option<EvaluatedVariation>,
 }
 
 impl Variations {
@@ -210,10 +210,10 @@ impl Variations {
         &self,
         getters: &[Getter<T>],
         second: Choice,
-        both: fn(&Evaluated) -> &[T; 2],
+        both: fn(&EvaluatedVariation) -> &[T; 2],
     ) -> Vec<Ambiguity> {
         let range = |&(parameter, unit, get): &Getter<T>| {
-            let first = |e: &Evaluated| get(&both(e)[0]);
+            let first = |e: &EvaluatedVariation| get(&both(e)[0]);
             let base = first(&self.base)?;
             let spread = |choice, values: Vec<f64>| {
                 (!values.is_empty()).then(|| Spread {

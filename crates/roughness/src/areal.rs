@@ -63,7 +63,7 @@ pub struct Texture {
 const MOST_POINTS: usize = 1 << 23;
 
 /// A grid of heights with missing points.
-pub(crate) struct Grid {
+pub(crate) struct HeightGrid {
     z: Vec<f64>,
     columns: usize,
     rows: usize,
@@ -94,7 +94,7 @@ pub fn parameters(
     columns: usize,
     spacings: [Length; 2],
 ) -> Result<ArealParameters, RoughnessError> {
-    let grid = Grid::level(z, columns, spacings)?;
+    let grid = HeightGrid::level(z, columns, spacings)?;
     let heights: Vec<f64> = grid.z.iter().copied().filter(|z| z.is_finite()).collect();
     let n = heights.len() as f64;
     let moment = |power: i32| heights.iter().map(|z| z.powi(power)).sum::<f64>() / n;
@@ -115,7 +115,7 @@ pub fn parameters(
     })
 }
 
-impl Grid {
+impl HeightGrid {
     /// The grid of heights `z`.
     pub(crate) fn new(
         mut z: Vec<f64>,
@@ -267,9 +267,10 @@ impl Grid {
         let is_whole = self.z.iter().all(|z| z.is_finite());
         LagSums {
             products: squares(&|z| if z.is_finite() { z } else { 0.0 }),
-            overlaps: match is_whole {
-                true => whole_overlaps([self.columns, self.rows]),
-                false => squares(&|z| f64::from(u8::from(z.is_finite()))),
+            overlaps: if is_whole {
+                whole_overlaps([self.columns, self.rows])
+            } else {
+                squares(&|z| f64::from(u8::from(z.is_finite())))
             },
             width,
             height,
@@ -354,9 +355,12 @@ impl Grid {
             lines[k].re = window(k) * (z - mean);
         }
         transform(&mut lines, self.columns, self.rows);
-        let frequency = |k: usize, n: usize, d: f64| match 2 * k > n {
-            true => (k as f64 - n as f64) / (n as f64 * d),
-            false => k as f64 / (n as f64 * d),
+        let frequency = |k: usize, n: usize, d: f64| {
+            if 2 * k > n {
+                (k as f64 - n as f64) / (n as f64 * d)
+            } else {
+                k as f64 / (n as f64 * d)
+            }
         };
         let all = lines.iter().enumerate().map(|(k, line)| {
             let fx = frequency(k % self.columns, self.columns, self.dx);
@@ -407,9 +411,10 @@ impl LagSums {
         let origin = self.products[0] / self.overlaps[0];
         let rho = self.products.iter().zip(&self.overlaps).map(|(p, o)| {
             // Fewer than half a point is rounding.
-            match o * scale >= 0.5 {
-                true => p / o / origin,
-                false => 0.0,
+            if o * scale >= 0.5 {
+                p / o / origin
+            } else {
+                0.0
             }
         });
         Lags {

@@ -35,14 +35,14 @@ fn crossings(z: &[f64], above: f64, below: f64) -> Vec<(usize, usize)> {
 }
 
 /// The first zero between points `from` and `to`, whose heights differ in sign, in points from the first.
-fn first_zero(z: &[f64], (from, to): (usize, usize)) -> f64 {
+fn first_zero(z: &[f64], from: usize, to: usize) -> f64 {
     let positive = z[from] > 0.0;
     let k = (from..to).find(|k| (z[k + 1] > 0.0) != positive);
     zero_after(z, k.unwrap_or(from))
 }
 
 /// The last zero between points `from` and `to`: the first zero of the reversed trace.
-fn last_zero(z: &[f64], (from, to): (usize, usize)) -> f64 {
+fn last_zero(z: &[f64], from: usize, to: usize) -> f64 {
     let positive = z[to] > 0.0;
     let k = (from..to).rfind(|&k| (z[k] > 0.0) != positive);
     zero_after(z, k.unwrap_or(from))
@@ -57,7 +57,9 @@ fn zero_after(z: &[f64], k: usize) -> f64 {
 /// Consecutive elements of `z` about its zero line.
 pub(crate) fn elements(z: &[f64], above: f64, below: f64) -> Vec<Element> {
     let crossings = crossings(z, above, below).into_iter();
-    let zeros: Vec<f64> = crossings.map(|crossing| first_zero(z, crossing)).collect();
+    let zeros: Vec<f64> = crossings
+        .map(|(from, to)| first_zero(z, from, to))
+        .collect();
     between(z, zeros.windows(3).step_by(2)).collect()
 }
 
@@ -66,7 +68,7 @@ pub(crate) fn overlapping_elements(z: &[f64], above: f64, below: f64) -> Vec<Ele
     // Both directions have the same excursions; only the zeros between them may differ.
     let (forwards, backwards): (Vec<f64>, Vec<f64>) = crossings(z, above, below)
         .into_iter()
-        .map(|crossing| (first_zero(z, crossing), last_zero(z, crossing)))
+        .map(|(from, to)| (first_zero(z, from, to), last_zero(z, from, to)))
         .unzip();
     let mut elements: Vec<Element> = between(z, forwards.windows(3)).collect();
     elements.extend(between(z, backwards.windows(3)));

@@ -100,13 +100,14 @@ impl RoughnessError {
         needed: usize,
         purpose: &'static str,
     ) -> Result<(), Self> {
-        match points >= needed {
-            true => Ok(()),
-            false => Err(Self::TooFewPoints {
+        if points >= needed {
+            Ok(())
+        } else {
+            Err(Self::TooFewPoints {
                 points,
                 needed,
                 purpose,
-            }),
+            })
         }
     }
 }

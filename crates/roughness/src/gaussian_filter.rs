@@ -212,7 +212,7 @@ pub fn mean_line_gradient(
             purpose: "the Gaussian filter",
         });
     }
-    let moments = Moments::new(&w, n);
+    let moments = FilterMoments::new(&w, n);
     Ok(match ends {
         Ends::Cut | Ends::Reg0 => {
             let over = of_line.iter().enumerate();
@@ -225,9 +225,10 @@ pub fn mean_line_gradient(
             let over = of_line.iter().enumerate().map(|(i, g)| {
                 let [s0, s1, s2] = moments.at(i);
                 let determinant = s0 * s2 - s1 * s1;
-                match determinant > 0.0 {
-                    true => (g * s2 / determinant, g * s1 / determinant),
-                    false => (g / s0, 0.0),
+                if determinant > 0.0 {
+                    (g * s2 / determinant, g * s1 / determinant)
+                } else {
+                    (g / s0, 0.0)
                 }
             });
             let (a, b): (Vec<f64>, Vec<f64>) = over.unzip();
@@ -314,14 +315,14 @@ fn summed(z: &[f64], w: &[f64], out: &mut [f64]) {
 }
 
 /// Moments Σ w kʲ of the weights over the existing points around point i.
-struct Moments<'a> {
+struct FilterMoments<'a> {
     w: &'a [f64],
     /// Prefix sums of w_k, k w_k, k² w_k over k = 1 .. m.
     sums: [Vec<f64>; 3],
     n: usize,
 }
 
-impl<'a> Moments<'a> {
+impl<'a> FilterMoments<'a> {
     fn new(w: &'a [f64], n: usize) -> Self {
         let sums = [0, 1, 2].map(|power| {
             let mut total = 0.0;
@@ -361,7 +362,7 @@ impl<'a> Moments<'a> {
 fn renormalised(z: &[f64], w: &[f64]) -> Vec<f64> {
     // The offset of a raw trace, up to 0.1 m, would cause rounding errors in the transform.
     let offset = z.iter().sum::<f64>() / z.len() as f64;
-    let moments = Moments::new(w, z.len());
+    let moments = FilterMoments::new(w, z.len());
     let mut line = convolve_above(z, offset, w);
     for (i, w) in line.iter_mut().enumerate() {
         *w = offset + *w / moments.sum_at(i);
@@ -400,7 +401,7 @@ fn regressed_start(z: &[f64], w: &[f64], n: usize) -> Vec<f64> {
         .map(|(j, z)| (j as f64 - middle) * z)
         .collect();
     let (t0, levered) = (convolve(&centred, w), convolve(&lever, w));
-    let moments = Moments::new(w, n);
+    let moments = FilterMoments::new(w, n);
     let count = (w.len() - 1).min(z.len());
     (0..count)
         .map(|i| {

@@ -172,7 +172,7 @@ pub fn in_sections(
 }
 
 /// Values of [`HeightParameters`] in SI units and points.
-struct Raw {
+struct RawMoments {
     moments: Moments,
     rp: f64,
     rv: f64,
@@ -183,7 +183,7 @@ struct Raw {
     dx: f64,
 }
 
-impl Raw {
+impl RawMoments {
     fn finish(self, mode: Mode, sections: usize, rt: f64) -> HeightParameters {
         let length = Length::from_si;
         HeightParameters {
@@ -240,15 +240,19 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
 }
 
 /// X = (1/n) Σ Xᵢ over the sampling lengths; Rp = ⟨max z⟩, Rv = ⟨−min z⟩, Rz = Rp + Rv   [Height-2]
-fn per_section(parts: &[&[f64]], dx: f64) -> Raw {
+fn per_section(parts: &[&[f64]], dx: f64) -> RawMoments {
     cite!("Height-2");
-    let each: Vec<Section> = parts.iter().map(|part| Section::new(part, dx)).collect();
-    let average = |value: fn(&Section) -> f64| mean(each.iter().map(value)).unwrap_or_default();
+    let each: Vec<HeightSection> = parts
+        .iter()
+        .map(|part| HeightSection::new(part, dx))
+        .collect();
+    let average =
+        |value: fn(&HeightSection) -> f64| mean(each.iter().map(value)).unwrap_or_default();
     let shapes = || each.iter().filter_map(|section| section.moments.shape);
     let shape = mean(shapes().map(|s| s.0)).zip(mean(shapes().map(|s| s.1)));
     let found_elements: Vec<Element> = each.iter().filter_map(|section| section.element).collect();
     let ranges = each.iter().map(|section| section.high - section.low);
-    Raw {
+    RawMoments {
         moments: Moments {
             ra: average(|section| section.moments.ra),
             rq: average(|section| section.moments.rq),
@@ -265,7 +269,7 @@ fn per_section(parts: &[&[f64]], dx: f64) -> Raw {
 }
 
 /// Height parameters of one sampling length.
-struct Section {
+struct HeightSection {
     moments: Moments,
     low: f64,
     high: f64,
@@ -273,7 +277,7 @@ struct Section {
     rdq: f64,
 }
 
-impl Section {
+impl HeightSection {
     fn new(z: &[f64], dx: f64) -> Self {
         let (low, high) = extremes(z);
         let threshold = DISCRIMINATION * (high - low);
@@ -292,7 +296,7 @@ impl Section {
 /// ```text
 /// Rp, Rv = mean over sections of the highest hill and the deepest dale with its extremum in the section, or 0  [Height-3]
 /// ```
-fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> Raw {
+fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> RawMoments {
     cite!("Height-3");
     let n = parts.len();
     let (hills, dales) = hills_and_dales(z, n);
@@ -300,7 +304,7 @@ fn over_the_length(z: &[f64], parts: &[&[f64]], dx: f64) -> Raw {
     let (rp, rv) = (height(&hills), height(&dales));
     let ranges = hills.iter().zip(&dales).map(|(hill, dale)| hill + dale);
     let found_elements = overlapping_elements(z, DISCRIMINATION * rp, DISCRIMINATION * rv);
-    Raw {
+    RawMoments {
         moments: moments(z),
         rp,
         rv,

@@ -17,7 +17,7 @@ use asperity_core::quantity::Length;
 use asperity_core::{Profile, cite};
 use serde::Serialize;
 
-use crate::areal::{Decays, Grid, LagSums};
+use crate::areal::{Decays, HeightGrid, LagSums};
 use crate::error::RoughnessError;
 use crate::preparation::{Preparation, RoughnessFilter, prepare_with};
 
@@ -152,7 +152,7 @@ pub fn lay_of_rows(
         .flatten()
         .flatten()
         .for_each(|z| *z -= mean);
-    let surface = Rows {
+    let surface = LayRows {
         rows: prepared,
         width,
         spacings,
@@ -183,13 +183,13 @@ pub fn bridged(row: &[f64]) -> Option<Vec<f64>> {
 }
 
 /// Prepared rows of equal length.
-struct Rows {
+struct LayRows {
     rows: Vec<Option<Vec<f64>>>,
     width: usize,
     spacings: [Length; 2],
 }
 
-impl Rows {
+impl LayRows {
     fn lay(&self) -> Result<LayFinding, RoughnessError> {
         let mut parts = PARTS[0];
         loop {
@@ -231,7 +231,7 @@ impl Rows {
                 None => vec![f64::NAN; width],
             };
             let z: Vec<f64> = self.rows.iter().flat_map(heights).collect();
-            Ok(Grid::new(z, width, self.spacings)?.sums())
+            Ok(HeightGrid::new(z, width, self.spacings)?.sums())
         };
         (0..parts).map(part).collect()
     }

@@ -181,11 +181,12 @@ fn from_primary(
     // Whatever the cut-off, features show in the profile at the usual one; its equations are not those of the result.
     let is_usual = recipe.lambda_c == Some(LAMBDA_C) && filter == RoughnessFilter::Gaussian;
     warnings.extend(Provenance::new().collect(|| {
-        match is_usual {
-            true => dominant(primary, &current, dropped, LAMBDA_C),
-            false => filtered(primary, LAMBDA_C, recipe.ends, RoughnessFilter::Gaussian)
+        if is_usual {
+            dominant(primary, &current, dropped, LAMBDA_C)
+        } else {
+            filtered(primary, LAMBDA_C, recipe.ends, RoughnessFilter::Gaussian)
                 .ok()
-                .and_then(|(rough, first, _)| dominant(primary, &rough, first, LAMBDA_C)),
+                .and_then(|(rough, first, _)| dominant(primary, &rough, first, LAMBDA_C))
         }
     }));
     let record = PreparationRecord {

@@ -68,7 +68,8 @@ pub fn respaced(profile: &Profile, spacing: Length) -> Result<Profile, DomainErr
 #[must_use]
 pub fn respaced_gradient(
     over_respaced: &[f64],
-    (points, from): (usize, Length),
+    points: usize,
+    from: Length,
     to: Length,
 ) -> Vec<f64> {
     cite!("Resample-1");

@@ -11,7 +11,7 @@ use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use serde::Serialize;
 
-use crate::areal::Grid;
+use crate::areal::HeightGrid;
 use crate::error::{NOISE_CUTOFF, RoughnessError};
 use crate::form::{self, Form};
 use crate::gaussian_filter::{Ends, mean_line};
@@ -73,17 +73,17 @@ impl PreparedSurface {
     /// # Errors
     /// When a distance is not positive, or a row would have too many points.
     pub fn respaced(self, spacings: [Length; 2]) -> Result<Self, DomainError> {
-        let given = Lines {
+        let given = SurfaceLines {
             heights: self.heights,
             length: self.columns,
         };
         let rows = given.respaced(self.spacings[0], spacings[0])?;
-        let made = match self.spacings[1] == spacings[1] {
-            true => rows,
-            false => rows
-                .turned()
+        let made = if self.spacings[1] == spacings[1] {
+            rows
+        } else {
+            rows.turned()
                 .respaced(self.spacings[1], spacings[1])?
-                .turned(),
+                .turned()
         };
         Ok(Self {
             heights: made.heights,
@@ -137,11 +137,12 @@ pub fn prepare_surface(
     let fits = missing <= MOST_MISSING;
     DomainError::require(fits, "share of missing points", missing, "-", rule)?;
     let is_levelled = missing > 0.0 && !matches!(recipe.form, Form::None | Form::Mean);
-    let mut grid = Lines {
+    let mut grid = SurfaceLines {
         // Bridges at the ends of rows are level: the surface must be, too.
-        heights: match is_levelled {
-            true => filled(Grid::level(z, columns, spacings)?.heights(), columns),
-            false => filled(z, columns),
+        heights: if is_levelled {
+            filled(HeightGrid::level(z, columns, spacings)?.heights(), columns)
+        } else {
+            filled(z, columns)
         },
         length: columns,
     };
@@ -162,9 +163,10 @@ pub fn prepare_surface(
         let width = (rows - 1) as f64 * dy.si();
         is_filtered_across = width >= lambda_c.si() && lambda_c >= dy;
         let wavy = grid.smoothed(dx, lambda_c, recipe.ends)?.turned();
-        let wavy = match is_filtered_across {
-            true => wavy.smoothed(dy, lambda_c, Ends::Reg1)?,
-            false => wavy.each(straight)?,
+        let wavy = if is_filtered_across {
+            wavy.smoothed(dy, lambda_c, Ends::Reg1)?
+        } else {
+            wavy.each(straight)?
         };
         let wavy = wavy.turned();
         for (z, wave) in grid.heights.iter_mut().zip(&wavy.heights) {
@@ -172,7 +174,7 @@ pub fn prepare_surface(
         }
         if recipe.ends == Ends::Cut {
             dropped = (0.5 * lambda_c.si() / dx.si()).round() as usize;
-            grid = grid.cut(dropped, (lambda_c / dx).floor() as usize, (dx, lambda_c))?;
+            grid = grid.cut(dropped, (lambda_c / dx).floor() as usize, dx, lambda_c)?;
         }
     }
     Ok(PreparedSurface {
@@ -191,12 +193,12 @@ pub fn prepare_surface(
 }
 
 /// Heights line by line.
-struct Lines {
+struct SurfaceLines {
     heights: Vec<f64>,
     length: usize,
 }
 
-impl Lines {
+impl SurfaceLines {
     fn lines(&self) -> impl Iterator<Item = &[f64]> {
         self.heights.chunks_exact(self.length)
     }
@@ -251,7 +253,8 @@ impl Lines {
         &self,
         dropped: usize,
         least: usize,
-        (spacing, lambda_c): (Length, Length),
+        spacing: Length,
+        lambda_c: Length,
     ) -> Result<Self, RoughnessError> {
         let length = self.length.saturating_sub(2 * dropped);
         if length < least.max(1) {
@@ -284,9 +287,10 @@ fn filled(z: &[f64], columns: usize) -> Vec<f64> {
         let after = known.partition_point(|known| *known < k);
         let [below, above] =
             [after.saturating_sub(1), after.min(known.len() - 1)].map(|at| known[at]);
-        let part = match above > below {
-            true => ((k as f64 - below as f64) / (above - below) as f64).clamp(0.0, 1.0),
-            false => 0.0,
+        let part = if above > below {
+            ((k as f64 - below as f64) / (above - below) as f64).clamp(0.0, 1.0)
+        } else {
+            0.0
         };
         let ends = [below, above].map(|at| rows[at].as_deref().unwrap_or_default());
         let between = ends[0].iter().zip(ends[1]);
@@ -303,7 +307,7 @@ fn straight(line: &[f64]) -> Result<Vec<f64>, RoughnessError> {
 
 /// Removes the form: the products of orthogonal polynomials along and across the rows whose degrees add up to its degree at most; a
 /// circle from the mean of the rows first.
-fn remove_form(grid: &mut Lines, dx: Length, form: Form) -> Result<(), RoughnessError> {
+fn remove_form(grid: &mut SurfaceLines, dx: Length, form: Form) -> Result<(), RoughnessError> {
     let degree = match form {
         Form::None => return Ok(()),
         Form::Mean => 0,

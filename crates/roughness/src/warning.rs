@@ -184,9 +184,12 @@ impl Warning {
         } = &mut self
         {
             let placed = |x: Length| start + if turned { length - x } else { x };
-            let ends = |[a, b]: [Length; 2]| match turned {
-                true => [placed(b), placed(a)],
-                false => [placed(a), placed(b)],
+            let ends = |[a, b]: [Length; 2]| {
+                if turned {
+                    [placed(b), placed(a)]
+                } else {
+                    [placed(a), placed(b)]
+                }
             };
             *sound = ends(*sound);
             [*from, *to] = ends([*from, *to]);

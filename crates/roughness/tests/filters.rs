@@ -177,7 +177,7 @@ fn gradients_over_raw_heights_are_transposes_of_filter_preparation_and_resamplin
         let to = Length::from_si(to);
         let other = respaced(&raw, to).unwrap();
         let over: Vec<f64> = other.heights().iter().rev().copied().collect();
-        let back = respaced_gradient(&over, (raw.len(), dx), to);
+        let back = respaced_gradient(&over, raw.len(), dx, to);
         transposed([(other.heights(), &over), (raw.heights(), &back)], &to);
     }
     let recipe = Preparation::default();

@@ -71,25 +71,26 @@ impl Stop {
 }
 
 fn finite(value: f64) -> Result<(), Stop> {
-    match value.is_finite() {
-        true => Ok(()),
-        false => Err(Stop::NotFinite {
+    if value.is_finite() {
+        Ok(())
+    } else {
+        Err(Stop::NotFinite {
             path: Vec::new(),
             value,
-        }),
+        })
     }
 }
 
 struct Walk;
 
 /// Index of the next element of a sequence, or key of the next entry of a map.
-struct Parts {
+struct NumberParts {
     next: usize,
     key: String,
 }
 
-fn parts() -> Parts {
-    Parts {
+fn parts() -> NumberParts {
+    NumberParts {
         next: 0,
         key: String::new(),
     }
@@ -104,13 +105,13 @@ macro_rules! nothing {
 impl Serializer for Walk {
     type Ok = ();
     type Error = Stop;
-    type SerializeSeq = Parts;
-    type SerializeTuple = Parts;
-    type SerializeTupleStruct = Parts;
-    type SerializeTupleVariant = Parts;
-    type SerializeMap = Parts;
-    type SerializeStruct = Parts;
-    type SerializeStructVariant = Parts;
+    type SerializeSeq = NumberParts;
+    type SerializeTuple = NumberParts;
+    type SerializeTupleStruct = NumberParts;
+    type SerializeTupleVariant = NumberParts;
+    type SerializeMap = NumberParts;
+    type SerializeStruct = NumberParts;
+    type SerializeStructVariant = NumberParts;
 
     nothing!(
         serialize_bool: bool, serialize_i8: i8, serialize_i16: i16, serialize_i32: i32,
@@ -163,15 +164,15 @@ impl Serializer for Walk {
             .map_err(|stop| stop.within(|| format!(".{variant}")))
     }
 
-    fn serialize_seq(self, _: Option<usize>) -> Result<Parts, Stop> {
+    fn serialize_seq(self, _: Option<usize>) -> Result<NumberParts, Stop> {
         Ok(parts())
     }
 
-    fn serialize_tuple(self, _: usize) -> Result<Parts, Stop> {
+    fn serialize_tuple(self, _: usize) -> Result<NumberParts, Stop> {
         Ok(parts())
     }
 
-    fn serialize_tuple_struct(self, _: &'static str, _: usize) -> Result<Parts, Stop> {
+    fn serialize_tuple_struct(self, _: &'static str, _: usize) -> Result<NumberParts, Stop> {
         Ok(parts())
     }
 
@@ -181,15 +182,15 @@ impl Serializer for Walk {
         _: u32,
         _: &'static str,
         _: usize,
-    ) -> Result<Parts, Stop> {
+    ) -> Result<NumberParts, Stop> {
         Ok(parts())
     }
 
-    fn serialize_map(self, _: Option<usize>) -> Result<Parts, Stop> {
+    fn serialize_map(self, _: Option<usize>) -> Result<NumberParts, Stop> {
         Ok(parts())
     }
 
-    fn serialize_struct(self, _: &'static str, _: usize) -> Result<Parts, Stop> {
+    fn serialize_struct(self, _: &'static str, _: usize) -> Result<NumberParts, Stop> {
         Ok(parts())
     }
 
@@ -199,12 +200,12 @@ impl Serializer for Walk {
         _: u32,
         _: &'static str,
         _: usize,
-    ) -> Result<Parts, Stop> {
+    ) -> Result<NumberParts, Stop> {
         Ok(parts())
     }
 }
 
-impl Parts {
+impl NumberParts {
     fn element<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Stop> {
         let index = self.next;
         self.next += 1;
@@ -222,7 +223,7 @@ impl Parts {
 
 macro_rules! sequences {
     ($($trait:ident $method:ident),+ $(,)?) => {$(
-        impl ser::$trait for Parts {
+        impl ser::$trait for NumberParts {
             type Ok = ();
             type Error = Stop;
 
@@ -246,7 +247,7 @@ sequences!(
 
 macro_rules! structures {
     ($($trait:ident),+) => {$(
-        impl ser::$trait for Parts {
+        impl ser::$trait for NumberParts {
             type Ok = ();
             type Error = Stop;
 
@@ -267,7 +268,7 @@ macro_rules! structures {
 
 structures!(SerializeStruct, SerializeStructVariant);
 
-impl ser::SerializeMap for Parts {
+impl ser::SerializeMap for NumberParts {
     type Ok = ();
     type Error = Stop;
 

@@ -12,9 +12,10 @@ use std::borrow::Cow;
 /// assert_eq!(cell("ground"), "ground");
 /// ```
 pub fn cell(text: &str) -> Cow<'_, str> {
-    match has_mark(text) {
-        true => Cow::Owned(format!("{MARK}{text}")),
-        false => Cow::Borrowed(text),
+    if has_mark(text) {
+        Cow::Owned(format!("{MARK}{text}"))
+    } else {
+        Cow::Borrowed(text)
     }
 }
 
@@ -82,9 +83,12 @@ fn escaped(text: &str, is_bad: impl Fn(char) -> bool) -> Cow<'_, str> {
     if !text.contains(&is_bad) {
         return Cow::Borrowed(text);
     }
-    let written = text.chars().map(|c| match is_bad(c) {
-        true => c.escape_unicode().to_string(),
-        false => c.to_string(),
+    let written = text.chars().map(|c| {
+        if is_bad(c) {
+            c.escape_unicode().to_string()
+        } else {
+            c.to_string()
+        }
     });
     Cow::Owned(written.collect())
 }

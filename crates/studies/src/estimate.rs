@@ -98,7 +98,7 @@ pub fn estimate<'a>(
 ) -> Result<Cost, Error> {
     let mut meshes = meshes.into_iter();
     meshes.try_fold(Cost::default(), |sum, mesh| {
-        Ok(sum.and(Work::new(mesh)?.estimate(mesh, kept, 1.0)))
+        Ok(sum.and(EstimateWork::new(mesh)?.estimate(mesh, kept, 1.0)))
     })
 }
 
@@ -118,7 +118,7 @@ pub fn measured<'a>(
 }
 
 fn measured_mesh(loaded: &LoadedCase, kept: &Kept) -> Result<Cost, Error> {
-    let work = Work::new(loaded)?;
+    let work = EstimateWork::new(loaded)?;
     if work.contacts == 0 || has_records(loaded) {
         return Ok(work.estimate(loaded, kept, 1.0));
     }
@@ -135,16 +135,19 @@ fn measured_mesh(loaded: &LoadedCase, kept: &Kept) -> Result<Cost, Error> {
         let few = few.overridden(|over| over.offsets = Some(offsets))?;
         let begin = Instant::now();
         // Without tables the loss alone does not solve every contact.
-        let run = || match has_tables(&few) {
-            true => Run::new(&few).losses().map(drop),
-            false => Run::new(&few)
-                .pictures(Kept::NoPictures)
-                .execute()
-                .map(drop),
+        let run = || {
+            if has_tables(&few) {
+                Run::new(&few).losses().map(drop)
+            } else {
+                Run::new(&few)
+                    .pictures(Kept::NoPictures)
+                    .execute()
+                    .map(drop)
+            }
         };
         // Where the system gives no thread the estimate is of what the threads do.
         on_threads(1, run).unwrap_or_else(|_| run())?;
-        let modelled = Work::new(&few)?.of_contacts;
+        let modelled = EstimateWork::new(&few)?.of_contacts;
         Ok([begin.elapsed().as_secs_f64(), modelled])
     };
     // The difference between two numbers of offsets excludes the time spent once per position.
@@ -171,7 +174,7 @@ fn has_tables(loaded: &LoadedCase) -> bool {
 }
 
 /// Counted work of a run and its times \[s\].
-struct Work {
+struct EstimateWork {
     positions: usize,
     contacts: usize,
     /// Number of points of the windows of all positions.
@@ -190,7 +193,7 @@ struct Work {
     records: (usize, f64),
 }
 
-impl Work {
+impl EstimateWork {
     fn new(loaded: &LoadedCase) -> Result<Self, Error> {
         Self::counted(loaded).map_err(|error| Error::Whole(Box::new(error)))
     }
@@ -236,9 +239,10 @@ impl Work {
         // Running-in solves the contacts again.
         let runs_in = loaded.case.running_in.is_some();
         let solves = if runs_in { 2.0 } else { 1.0 };
-        let with_named = match tables {
-            true => 1.0 + NAMED as f64 / positions as f64,
-            false => 1.0,
+        let with_named = if tables {
+            1.0 + NAMED as f64 / positions as f64
+        } else {
+            1.0
         };
         let points = window_points * offsets;
         let window = window_points / positions as f64;
@@ -258,9 +262,10 @@ impl Work {
         };
         let cells = model.ehl.cells as f64;
         let steps = RECORD[0] * cells * (RECORD[1] + model.ehl.travel);
-        let records = match has_records(loaded) {
-            true => model.ehl.records.min(positions),
-            false => 0,
+        let records = if has_records(loaded) {
+            model.ehl.records.min(positions)
+        } else {
+            0
         };
         Ok(Self {
             positions,
@@ -287,9 +292,10 @@ impl Work {
         let stored = self.positions.min(kept.of(self.positions) + threads) as f64;
         let depths = loaded.case.model.depths as f64;
         let of_fields = BYTES * (NUMBERS[0] + NUMBERS[1] * depths) * self.window_points;
-        let of_tables = match has_tables(loaded) {
-            true => BYTES_OF_A_TABLE * self.points,
-            false => 0.0,
+        let of_tables = if has_tables(loaded) {
+            BYTES_OF_A_TABLE * self.points
+        } else {
+            0.0
         };
         Cost {
             contacts: self.contacts,

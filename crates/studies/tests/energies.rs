@@ -55,7 +55,7 @@ fn energies(finishes: &[(&str, &LoadedCase)], points: &[[u32; 2]]) -> CycleResul
         assert_eq!(draws.torque_nm, [10.0, 30.0, 145.0]);
         assert_eq!(draws.speed_rpm, [3000.0, 5000.0, 9000.0]);
     }
-    evaluate(&found.into(), 0, (&through(points), "points"), false).unwrap()
+    evaluate(&found.into(), 0, &through(points), "points", false).unwrap()
 }
 
 #[test]

@@ -395,9 +395,10 @@ fn of_lossy_gear(row: &[f64], torque: f64) -> f64 {
     let [eta1, eta2, tau1, tau2] = row.try_into().unwrap();
     // The torque that the bearing on the input side takes, which decides what drives.
     let of_bearing = (tau1 - tau2) / (eta1 - 1.0 / eta2);
-    match torque - of_bearing >= 0.0 {
-        true => (1.0 - eta1) * torque + tau1,
-        false => (1.0 - 1.0 / eta2) * torque + tau2,
+    if torque - of_bearing >= 0.0 {
+        (1.0 - eta1) * torque + tau1
+    } else {
+        (1.0 - 1.0 / eta2) * torque + tau2
     }
 }
 
@@ -682,7 +683,7 @@ fn a_cycle_in_reverse_has_the_energies_of_the_same_cycle_forwards() {
         let points = [[0.0, 0.0], [120.0, 3000.0], [20.0, 2000.0], [-60.0, 2500.0]];
         let rows: String = points.into_iter().enumerate().map(row).collect();
         let trace = cycle(&format!("time_s,torque_nm,speed_rpm\n{rows}"), None).unwrap();
-        evaluate(&map.clone().into(), 0, (&trace, "made up"), false).unwrap()
+        evaluate(&map.clone().into(), 0, &trace, "made up", false).unwrap()
     };
     let (forwards, reverse) = (of(1.0), of(-1.0));
     assert!(forwards.drive_wh > 0.0 && forwards.coast_wh > 0.0);
@@ -777,9 +778,12 @@ fn a_cycle_that_leaves_the_map_gives_no_single_efficiency() {
 
 /// Loss torque, loss power and mark of the places by the C source, driven as a unit; none without a compiler.
 fn driven(source: &str, places: &[[f64; 2]]) -> Option<Vec<[f64; 3]>> {
-    let number = |value: f64| match value.is_nan() {
-        true => "0.0 / 0.0".to_owned(),
-        false => format!("{value:?}"),
+    let number = |value: f64| {
+        if value.is_nan() {
+            "0.0 / 0.0".to_owned()
+        } else {
+            format!("{value:?}")
+        }
     };
     let set = |[torque, speed]: &[f64; 2]| {
         let [torque, speed] = [number(*torque), number(speed * PI / 30.0)];

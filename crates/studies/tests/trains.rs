@@ -452,7 +452,7 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     assert!(summary.contains("\nground  first "), "{summary}");
     let text = "time_s,torque_nm,speed_rpm\n0,60,4000\n1800,60,4000\n3600,60,4000\n";
     let constant = cycle(text, None).unwrap();
-    let energies = evaluate(&found.clone().into(), 0, (&constant, "constant"), false).unwrap();
+    let energies = evaluate(&found.clone().into(), 0, &constant, "constant", false).unwrap();
     let numbers = at(&found, 60.0).numbers.unwrap();
     let finish = &energies.finishes[0];
     let at_medians = [finish.lost_at_medians_wh, numbers.loss_at_medians_w].map(Option::unwrap);
@@ -477,7 +477,7 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     )
     .unwrap();
     assert!(
-        evaluate(&found.clone().into(), 0, (&driven, "driven"), false)
+        evaluate(&found.clone().into(), 0, &driven, "driven", false)
             .unwrap()
             .finishes[0]
             .lost_wh

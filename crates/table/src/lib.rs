@@ -212,9 +212,10 @@ impl Table {
                 Err(fault) => faults.push(fault),
             }
         }
-        match faults.is_empty() {
-            true => Ok(values),
-            false => Err(self.together(faults)),
+        if faults.is_empty() {
+            Ok(values)
+        } else {
+            Err(self.together(faults))
         }
     }
 
@@ -261,10 +262,10 @@ impl Table {
             rule: format!(
                 "{}; {like}; {}",
                 first.rule,
-                match first.rule.ends_with(NO_NUMBER) {
-                    true =>
-                        "export the column as numbers alone, without units or words in its cells",
-                    false => "the column seems to hold something else, or to have another unit",
+                if first.rule.ends_with(NO_NUMBER) {
+                    "export the column as numbers alone, without units or words in its cells"
+                } else {
+                    "the column seems to hold something else, or to have another unit"
                 }
             ),
             ..first.clone()
@@ -314,7 +315,7 @@ fn records(text: &str, separator: Option<char>) -> Vec<(usize, csv::StringRecord
         .trim(csv::Trim::All)
         .flexible(true)
         .from_reader(text.as_bytes());
-    let begins = Lines::new(text);
+    let begins = RowLines::new(text);
     // A text can always be split into cells: it is valid UTF-8, and its rows may have any length.
     let records = reader.records().filter_map(Result::ok);
     let records = records.filter(|record| filled(record) > 0).map(|record| {
@@ -442,9 +443,10 @@ impl<'a> Row<'a> {
 
 /// The finite number in `cell`.
 fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
-    let plain = match has_decimal_comma {
-        true => Cow::Owned(cell.replace(',', ".")),
-        false => Cow::Borrowed(cell),
+    let plain = if has_decimal_comma {
+        Cow::Owned(cell.replace(',', "."))
+    } else {
+        Cow::Borrowed(cell)
     };
     plain.parse::<f64>().ok().filter(|value| value.is_finite())
 }
@@ -469,9 +471,9 @@ fn name(cell: &str) -> String {
 }
 
 /// Byte offset and text of every line.
-struct Lines<'a>(Vec<(usize, &'a str)>);
+struct RowLines<'a>(Vec<(usize, &'a str)>);
 
-impl<'a> Lines<'a> {
+impl<'a> RowLines<'a> {
     fn new(text: &'a str) -> Self {
         let mut begin = 0;
         let line = |line: &'a str| {

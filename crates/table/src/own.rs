@@ -50,7 +50,7 @@ pub fn write<W: Write, R: Serialize>(
     mut out: W,
     rows: impl IntoIterator<Item = R>,
 ) -> Result<W, Unwritten> {
-    let mut writer = csv::Writer::from_writer(Cells::into(&mut out));
+    let mut writer = csv::Writer::from_writer(OwnCells::into(&mut out));
     for row in rows {
         write_row(&mut writer, &row)?;
     }
@@ -60,7 +60,7 @@ pub fn write<W: Write, R: Serialize>(
 
 /// Writes a row, not generic: a generic one is compiled for every type of row, for the check, the header and the cells.
 fn write_row(
-    writer: &mut csv::Writer<Cells<'_>>,
+    writer: &mut csv::Writer<OwnCells<'_>>,
     row: &dyn erased_serde::Serialize,
 ) -> Result<(), Unwritten> {
     check_finite(row)?;
@@ -74,7 +74,7 @@ fn write_row(
 /// When the rows have different lengths.
 pub fn text_of_cells(rows: impl IntoIterator<Item = Vec<String>>) -> Result<Vec<u8>, csv::Error> {
     let mut text = Vec::new();
-    let mut writer = csv::Writer::from_writer(Cells::into(&mut text));
+    let mut writer = csv::Writer::from_writer(OwnCells::into(&mut text));
     for row in rows {
         writer.write_record(row)?;
     }
@@ -121,9 +121,10 @@ pub fn rows<R: Serialize + DeserializeOwned>(table: &[u8]) -> Result<Vec<R>, Own
     let header = records.next().transpose()?.unwrap_or_default();
     let row = |record: Result<csv::StringRecord, csv::Error>| record?.deserialize(Some(&header));
     let rows = records.map(row).collect::<Result<Vec<R>, csv::Error>>()?;
-    match rows.is_empty() {
-        true => Err(OwnFault::Empty),
-        false => finite(&rows).map(|()| rows),
+    if rows.is_empty() {
+        Err(OwnFault::Empty)
+    } else {
+        finite(&rows).map(|()| rows)
     }
 }
 
@@ -141,21 +142,21 @@ pub fn finite<R: Serialize>(rows: &[R]) -> Result<(), OwnFault> {
     Ok(())
 }
 
-fn finished(writer: csv::Writer<Cells<'_>>) -> Result<(), csv::Error> {
+fn finished(writer: csv::Writer<OwnCells<'_>>) -> Result<(), csv::Error> {
     // Flushes, too.
     writer.into_inner().map_err(|error| error.into_error())?;
     Ok(())
 }
 
 /// The cells of a table on their way to `out`: each text that would be a formula is marked ([`cell`]).
-struct Cells<'a> {
+struct OwnCells<'a> {
     out: &'a mut dyn Write,
     /// The cell so far, as it is written.
     written: Vec<u8>,
     is_quoted: bool,
 }
 
-impl<'a> Cells<'a> {
+impl<'a> OwnCells<'a> {
     fn into(out: &'a mut dyn Write) -> Self {
         Self {
             out,
@@ -175,7 +176,7 @@ impl<'a> Cells<'a> {
     }
 }
 
-impl Write for Cells<'_> {
+impl Write for OwnCells<'_> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         for byte in bytes {
             // A quote in a quoted cell is written twice.

@@ -402,7 +402,7 @@ impl<'a> LoadedFilm<'a> {
             let before = near_stresses(nodes);
             for (node, group) in nodes
                 .iter_mut()
-                .zip(groups(mean, share * share, (parts, &logs)))
+                .zip(groups(mean, share * share, parts, &logs))
             {
                 let film = (group.log_film / group.load).exp();
                 let at = [group.square / group.load, self.sliding, film];
@@ -490,10 +490,7 @@ impl<'a> LoadedFilm<'a> {
         } else {
             let mut failed = None;
             // Friction rises with the temperature where the limiting stress does.
-            let highest = match slope > 0.0 {
-                true => 2.0 * cold,
-                false => cold,
-            };
+            let highest = if slope > 0.0 { 2.0 * cold } else { cold };
             let root = newton_root(
                 |mu| match self.friction_at(c * mu) {
                     Ok([friction, slope]) => (mu - friction, 1.0 - c * slope),
@@ -572,7 +569,7 @@ struct Group {
 
 /// Groups of equal load of the parts of a film, with ln of their thickness, at a place with a mean pressure, whose ripple is `scale`
 /// times their p′.
-fn groups(mean: f64, scale: f64, (parts, logs): (&[FilmRipple], &[f64])) -> [Group; GROUPS] {
+fn groups(mean: f64, scale: f64, parts: &[FilmRipple], logs: &[f64]) -> [Group; GROUPS] {
     let rippled = |part: &FilmRipple| mean + scale * part.pressure;
     let total: f64 = parts.iter().map(|part| part.area).sum();
     // From the highest pressure on, as many parts as are above zero with the pressure c that leaves them the whole load.
@@ -628,9 +625,10 @@ fn guess(before: &NearStresses, pressure: f64) -> Option<[f64; 2]> {
     let inner = before[1..GROUPS - 1].iter();
     let k = inner.take_while(|[p, ..]| *p < pressure).count();
     let ([p, stress, slope], [p_next, next, _]) = (before[k], before[k + 1]);
-    let by_pressure = match p_next > p {
-        true => (next - stress) / (p_next - p),
-        false => 0.0,
+    let by_pressure = if p_next > p {
+        (next - stress) / (p_next - p)
+    } else {
+        0.0
     };
     let found = stress + by_pressure * (pressure - p);
     (found > 0.0).then_some([found, slope])

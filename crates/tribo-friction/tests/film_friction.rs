@@ -532,9 +532,10 @@ fn a_rippled_film_shears_as_its_parts_do() {
                     let [mut low, mut high] = [-10e9, 10e9];
                     for _ in 0..80 {
                         let middle = 0.5 * (low + high);
-                        match load(middle) < mean {
-                            true => low = middle,
-                            false => high = middle,
+                        if load(middle) < mean {
+                            low = middle
+                        } else {
+                            high = middle
                         }
                     }
                     for part in &parts {

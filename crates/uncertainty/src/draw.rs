@@ -220,9 +220,10 @@ impl Common {
             }
         };
         for (k, (of, other)) in draw.constants.iter_mut().zip(other.constants).enumerate() {
-            match self.stated[k] {
-                true => *of *= own(self.constants[k]),
-                false => mix(self.constants[k], of, other),
+            if self.stated[k] {
+                *of *= own(self.constants[k])
+            } else {
+                mix(self.constants[k], of, other)
             }
         }
         let (flanks, of_others) = (&mut draw.of_flanks, &other.of_flanks);

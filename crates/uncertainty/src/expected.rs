@@ -251,9 +251,10 @@ impl Predictive {
                     return None;
                 }
                 let of_sliding = (sliding + rolling) / sliding;
-                let of_film = match self.draws(P::PressureViscosity) {
-                    true => self.slope(P::PressureViscosity) - of_sliding * slope,
-                    false => 0.0,
+                let of_film = if self.draws(P::PressureViscosity) {
+                    self.slope(P::PressureViscosity) - of_sliding * slope
+                } else {
+                    0.0
                 };
                 let of_constants = of_sliding * deviation;
                 left.film_law = Some(FilmLaw {
@@ -312,10 +313,8 @@ impl Predictive {
     /// Change of ln of the sliding loss by a standard deviation of a constant.
     fn slope(&self, kind: UncertainParameter) -> f64 {
         let at = |z: f64| {
-            let place = |constant: &crate::parameters::Ranged| match constant.kind == kind {
-                true => z,
-                false => 0.0,
-            };
+            let place =
+                |constant: &crate::parameters::Ranged| if constant.kind == kind { z } else { 0.0 };
             let z: Vec<f64> = self.constants.iter().map(place).collect();
             self.sliding.as_ref().map_or(0.0, |surface| surface.at(&z))
         };

@@ -61,10 +61,7 @@ impl From<Fault> for Failure {
         Self {
             code: fault.code(),
             message: fault.message().to_owned(),
-            help: match is_general {
-                true => advice(fault.code()),
-                false => fault.help(),
-            },
+            help: if is_general { advice(fault.code()) } else { fault.help() },
             place: fault.place().cloned(),
         }
     }

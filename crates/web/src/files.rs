@@ -29,10 +29,7 @@ impl Files {
         let found = self.0.get(name).or_else(|| self.0.get(bare));
         found.map(Vec::as_slice).ok_or_else(|| {
             let names: Vec<&str> = self.0.keys().map(String::as_str).collect();
-            let reason = match names.is_empty() {
-                true => "no file has been chosen".to_owned(),
-                false => format!("not among the files chosen ({})", names.join(", ")),
-            };
+            let reason = if names.is_empty() { "no file has been chosen".to_owned() } else { format!("not among the files chosen ({})", names.join(", ")) };
             io::Error::new(io::ErrorKind::NotFound, reason)
         })
     }

@@ -43,10 +43,7 @@ const HEIGHT: f64 = 110.0;
 
 /// The trace in the direction in which it is read, its mean at 0.
 fn drawing(profile: &Profile, flank: &str, is_mirrored: bool) -> Chart {
-    let profile = match is_mirrored {
-        true => &profile.mirrored(),
-        false => profile,
-    };
+    let profile = if is_mirrored { &profile.mirrored() } else { profile };
     let heights = profile.heights();
     let mean = heights.iter().sum::<f64>() / heights.len() as f64;
     let z: Vec<f64> = heights.iter().map(|z| (z - mean) / 1e-6).collect();

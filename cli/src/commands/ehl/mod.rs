@@ -58,9 +58,10 @@ pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
     }
     let record = rough::solve(title, &contact, args, common)?;
     report(args, || record.page(&contact.rough))?;
-    let comparison = match args.compare {
-        true => Some(shares(&loaded, &contact, &record.solved.value).map_err(about)?),
-        false => None,
+    let comparison = if args.compare {
+        Some(shares(&loaded, &contact, &record.solved.value).map_err(about)?)
+    } else {
+        None
     };
     let comparison = comparison.as_ref();
     let (json, report) = (record.json(comparison), record.report(comparison));

@@ -97,11 +97,12 @@ impl Recorded {
         let means =
             format!("The means are over the travel from {start:.1} to {end:.1} half-widths");
         let start_up = RecordSettings::default().start;
-        match start < start_up {
-            true => format!(
+        if start < start_up {
+            format!(
                 "{means}. They include a part of the start: in the first {start_up:.0} half-widths the film is still smooth."
-            ),
-            false => format!("{means}, after the start from smooth surfaces."),
+            )
+        } else {
+            format!("{means}, after the start from smooth surfaces.")
         }
     }
 
@@ -306,12 +307,11 @@ impl Recorded {
 
 /// Mean with its standard error, which a record of few blocks does not have.
 fn with_error(unit: &str, mean: f64, standard_error: f64) -> String {
-    match standard_error.is_finite() {
-        true => {
-            let digits = Digits::of_uncertainty(standard_error);
-            let [mean, error] = [mean, standard_error].map(|value| digits.rounded(value));
-            format!("{mean}{unit} (standard error {error})")
-        }
-        false => format!("{mean:.4}{unit} (solution too short for a standard error)"),
+    if standard_error.is_finite() {
+        let digits = Digits::of_uncertainty(standard_error);
+        let [mean, error] = [mean, standard_error].map(|value| digits.rounded(value));
+        format!("{mean}{unit} (standard error {error})")
+    } else {
+        format!("{mean:.4}{unit} (solution too short for a standard error)")
     }
 }

@@ -14,7 +14,7 @@ use crate::failure::Failure;
 /// `asperity list gears`
 pub fn gears(name: Option<&str>, common: &Common) -> Result<(), Failure> {
     let shown = gears_named(name)?;
-    print_listed(common, ("gears", &shown), listed_gears, || {
+    print_listed(common, "gears", &shown, listed_gears, || {
         match (name, shown.first()) {
             (Some(_), Some(one)) => whole(one),
             _ => table(&shown),

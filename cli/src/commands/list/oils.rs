@@ -11,7 +11,7 @@ use crate::failure::Failure;
 /// `asperity list oils`
 pub fn oils(name: Option<&str>, common: &Common) -> Result<(), Failure> {
     let oils = oils_named(name)?;
-    print_listed(common, ("oils", &oils), listed_oil, || {
+    print_listed(common, "oils", &oils, listed_oil, || {
         table(&oils, name.is_some())
     })
 }

@@ -16,7 +16,8 @@ pub const LETTERS: &str = "Certainty: A read in the source, B quoted by others, 
 /// Prints presets: their values as JSON under a name, or a text.
 pub fn print_listed<T>(
     common: &Common,
-    (name, presets): (&str, &[T]),
+    name: &str,
+    presets: &[T],
     value: fn(&T) -> Result<Value, Fault>,
     text: impl FnOnce() -> Result<String, Failure>,
 ) -> Result<(), Failure> {

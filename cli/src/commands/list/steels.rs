@@ -12,7 +12,7 @@ use crate::failure::Failure;
 /// `asperity list steels`
 pub fn steels(name: Option<&str>, common: &Common) -> Result<(), Failure> {
     let shown = steels_named(name)?;
-    print_listed(common, ("steels", &shown), listed_steel, || {
+    print_listed(common, "steels", &shown, listed_steel, || {
         match (name, shown.first()) {
             (Some(_), Some(one)) => whole(one),
             _ => table(&shown),

@@ -58,9 +58,10 @@ pub(super) fn case_lines(
         .filter_map(|(setting, value)| Some(format!(", {} = {}", setting.key(), value?)));
     let name = json!(file.display().to_string());
     let last = file.file_name().unwrap_or_default().to_string_lossy();
-    let flank = match last.to_lowercase().contains("wheel") {
-        true => "wheel",
-        false => "pinion",
+    let flank = if last.to_lowercase().contains("wheel") {
+        "wheel"
+    } else {
+        "pinion"
     };
     let (form, is_unfiltered) = (form(preparing), preparing.as_is || preparing.level);
     let mut lines = format!(

@@ -10,7 +10,7 @@ use asperity_roughness::material_ratio::{Line, RkParameters, rk_parameters_with}
 use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 use asperity_roughness::summits::{SummitStatistics, summit_statistics};
 
-use super::evaluated::Evaluated;
+use super::evaluated::EvaluatedFile;
 use super::levels::Levels;
 use crate::args::{ProfileInfoArgs, Wavelengths};
 
@@ -39,7 +39,7 @@ pub struct Details {
 impl Details {
     /// Evaluates the details requested in `args`; the Hurst exponent by default over the wavelengths that the filters
     /// leave.
-    pub fn new(evaluated: &Evaluated, args: &ProfileInfoArgs) -> Self {
+    pub fn new(evaluated: &EvaluatedFile, args: &ProfileInfoArgs) -> Self {
         let (plan, rough) = (&evaluated.plan, &evaluated.parts.roughness.profile);
         let window = plan.recipe.lambda_s.unwrap_or_default();
         let window = Length::from_si(window.si().max(rough.spacing().si()));
@@ -75,7 +75,7 @@ impl Details {
 /// Wavelengths whose density the filters change by less than about a tenth: from λc/3, where the Gaussian filter
 /// transmits 99.8 % of a wave, to 5 λs, where it transmits 97 %; without filters, a quarter of the length to five
 /// points.
-fn usual_wavelengths(evaluated: &Evaluated) -> Wavelengths {
+fn usual_wavelengths(evaluated: &EvaluatedFile) -> Wavelengths {
     const LONG: f64 = 3.0;
     const SHORT: f64 = 5.0;
     const UNFILTERED: f64 = 4.0;

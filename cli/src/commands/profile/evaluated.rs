@@ -22,16 +22,16 @@ use asperity_roughness::preparation::{Profiles, profiles};
 use asperity_roughness::robust_filter::ROBUST_FILTER;
 use asperity_roughness::{Parameters, RoughnessError, Warning};
 
-use super::plan::Plan;
+use super::plan::PreparationPlan;
 use crate::args::{PreparingArgs, ReadingArgs};
 use crate::failure::Failure;
 use crate::output;
 use crate::words;
 
 /// Profile, read, prepared and evaluated.
-pub(super) struct Evaluated {
+pub(super) struct EvaluatedFile {
     pub(super) reading: Reading,
-    pub(super) plan: Plan,
+    pub(super) plan: PreparationPlan,
     /// Warning that outliers were replaced.
     pub(super) outliers_replaced: Option<Warning>,
     /// Input of the recipe of the plan, if it is not the profile read.
@@ -47,7 +47,7 @@ pub(super) struct Evaluated {
     pub(super) section: Length,
 }
 
-impl Evaluated {
+impl EvaluatedFile {
     pub(super) fn new(
         file: &Path,
         preparing: &PreparingArgs,
@@ -64,7 +64,7 @@ impl Evaluated {
         options: &ReadingArgs,
     ) -> Result<Self, Failure> {
         let (reading, outliers) = without_outliers(even(trace, options)?, preparing.outliers)?;
-        let plan = Plan::for_reading(preparing, &reading)?;
+        let plan = PreparationPlan::for_reading(preparing, &reading)?;
         let refused = |error| refusal(&reading, &plan, &error);
         let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
         let involute_left = plan.involute_left(&reading.profile).map_err(refused)?;
@@ -235,7 +235,11 @@ pub(super) fn refused(error: &ReadError) -> Failure {
 }
 
 /// Error of the evaluation of a profile, with its remedy.
-pub(super) fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
+pub(super) fn refusal(
+    reading: &Reading,
+    plan: &PreparationPlan,
+    error: &RoughnessError,
+) -> Failure {
     let name = &reading.name;
     let advice = match error {
         RoughnessError::TooShort { .. } => plan.advice_for(reading),

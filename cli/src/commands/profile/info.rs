@@ -8,9 +8,9 @@ use asperity_report::{Column, Kind, Report, Table, columns};
 
 use super::case_lines::case_lines;
 use super::details::Details;
-use super::evaluated::{Evaluated, opened_trace};
+use super::evaluated::{EvaluatedFile, opened_trace};
 use super::file_facts::FileFacts;
-use super::plan::Plan;
+use super::plan::PreparationPlan;
 use super::{json, surface_facts, text};
 use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
@@ -24,15 +24,16 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
             // A file of several traces is a surface until one of them is chosen.
             Err(failure) if failure.is_of_several() && args.reading.row.is_none() => {
                 let is_shown = surface_facts::print(file, args, common, &failure)?;
-                return Err(match is_shown && common.json {
-                    true => within_json(failure),
-                    false => failure,
+                return Err(if is_shown && common.json {
+                    within_json(failure)
+                } else {
+                    failure
                 });
             }
             trace => trace?,
         };
         let facts = FileFacts::new(&trace, &args.reading);
-        return match Evaluated::of_trace(trace, &args.preparing, &args.reading) {
+        return match EvaluatedFile::of_trace(trace, &args.preparing, &args.reading) {
             Ok(evaluated_file) => {
                 let details = Details::new(&evaluated_file, args);
                 let used = evaluated_file.plan.recipe.lambda_c;
@@ -118,14 +119,14 @@ fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         return Err(Failure::new(Code::E205, text));
     }
     // A contradiction of options is reported once, not for every file.
-    Plan::from_args(&args.preparing).map(|_| ())
+    PreparationPlan::from_args(&args.preparing).map(|_| ())
 }
 
-fn evaluated(file: &Path, args: &ProfileInfoArgs) -> Result<Evaluated, Failure> {
-    Evaluated::new(file, &args.preparing, &args.reading)
+fn evaluated(file: &Path, args: &ProfileInfoArgs) -> Result<EvaluatedFile, Failure> {
+    EvaluatedFile::new(file, &args.preparing, &args.reading)
 }
 
-fn as_json(evaluated_file: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Value {
+fn as_json(evaluated_file: &EvaluatedFile, args: &ProfileInfoArgs) -> serde_json::Value {
     json::report(
         evaluated_file,
         &Details::new(evaluated_file, args),
@@ -134,9 +135,9 @@ fn as_json(evaluated_file: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Va
 }
 
 /// Parameters of a table: name, unit, value.
-type Parameter = (&'static str, &'static str, fn(&Evaluated) -> f64);
+type ListedParameter = (&'static str, &'static str, fn(&EvaluatedFile) -> f64);
 
-const PARAMETERS: [Parameter; 9] = [
+const PARAMETERS: [ListedParameter; 9] = [
     ("Ra", "µm", |e| um(e.iso4287.heights.ra)),
     ("Rq", "µm", |e| um(e.iso4287.heights.rq)),
     ("Rz", "µm", |e| um(e.iso4287.heights.rz)),
@@ -158,7 +159,7 @@ struct FileRow {
 }
 
 impl FileRow {
-    fn from_evaluated(evaluated_file: &Evaluated) -> Self {
+    fn from_evaluated(evaluated_file: &EvaluatedFile) -> Self {
         let name = shortened(&evaluated_file.reading.name);
         let warnings = evaluated_file.warnings();
         let notes = warnings

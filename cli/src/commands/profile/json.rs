@@ -10,7 +10,7 @@ use asperity_roughness::spectral::PowerSpectrum;
 use serde_json::{Map, Value, json};
 
 use super::details::Details;
-use super::evaluated::Evaluated;
+use super::evaluated::EvaluatedFile;
 use crate::args::name_of;
 
 /// Convention of the spectrum.
@@ -18,7 +18,7 @@ const CONVENTION: &str = "of the R profile about its mean; Hann window; one-side
      its integral over f is the mean square height of the windowed profile";
 
 /// Report of a profile, on request with its curves by point.
-pub fn report(evaluated: &Evaluated, details: &Details, curves: bool) -> Value {
+pub fn report(evaluated: &EvaluatedFile, details: &Details, curves: bool) -> Value {
     let reading = &evaluated.reading;
     let notes = evaluated.warnings().into_iter();
     let notes: Vec<Value> = notes
@@ -130,7 +130,7 @@ fn open(range: &Ambiguity) -> Value {
     })
 }
 
-fn all_curves(evaluated: &Evaluated, details: &Details) -> Value {
+fn all_curves(evaluated: &EvaluatedFile, details: &Details) -> Value {
     let rough = &evaluated.parts.roughness.profile;
     let in_um = |values: Vec<f64>| values.into_iter().map(|z| 1e6 * z).collect::<Vec<_>>();
     json!({

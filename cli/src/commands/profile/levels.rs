@@ -6,7 +6,7 @@ use asperity_report::profile_json::um;
 use asperity_roughness::material_levels::MaterialLevels;
 use serde_json::{Value, json};
 
-use super::evaluated::Evaluated;
+use super::evaluated::EvaluatedFile;
 use crate::args::{ProfileInfoArgs, Ratios};
 
 /// Requested values of the roughness profile over its evaluation length.
@@ -19,7 +19,7 @@ pub struct Levels {
 
 impl Levels {
     /// Evaluates the values requested in `args`. An evaluated profile has Rk parameters and thus a curve.
-    pub fn new(evaluated: &Evaluated, args: &ProfileInfoArgs) -> Self {
+    pub fn new(evaluated: &EvaluatedFile, args: &ProfileInfoArgs) -> Self {
         let rough = &evaluated.parts.roughness.profile;
         let (mut ratios, mut heights) = (Vec::new(), Vec::new());
         if let Ok(levels) = MaterialLevels::from_heights(rough.heights()) {

@@ -97,9 +97,10 @@ fn source(made: &MadeSurface, surfaces: usize, has_long_waves: bool) -> String {
     };
     match made.method {
         Method::Pieces => {
-            let long = match has_long_waves {
-                true => "; longer waves are random, with their spectrum",
-                false => "",
+            let long = if has_long_waves {
+                "; longer waves are random, with their spectrum"
+            } else {
+                ""
             };
             format!(
                 "{} pieces of {surfaces}: waves up to {LONG_WAVES:.1} and rare valleys are those of the surfaces given{long}",

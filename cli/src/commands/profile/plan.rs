@@ -22,7 +22,7 @@ const INVOLUTE_ONLY: &str = "--base-radius, --roll-length and --towards-root go 
 
 /// Form removal, filters and sections.
 #[derive(Debug, Clone, Copy)]
-pub struct Plan {
+pub struct PreparationPlan {
     /// Form other than an involute, and filters.
     pub recipe: Preparation,
     /// The filter at lambda_c.
@@ -33,7 +33,7 @@ pub struct Plan {
     pub sections: Sections,
 }
 
-impl Plan {
+impl PreparationPlan {
     /// Makes the plan of the options, for any file.
     pub fn from_args(args: &PreparingArgs) -> Result<Self, Failure> {
         Self::with(args, None)
@@ -53,22 +53,21 @@ impl Plan {
     }
 
     fn with(args: &PreparingArgs, reading: Option<&Reading>) -> Result<Self, Failure> {
-        let usual = match args.as_is || args.level {
-            true => Preparation {
+        let usual = if args.as_is || args.level {
+            Preparation {
                 lambda_s: None,
                 lambda_c: None,
                 ..Preparation::default()
-            },
-            false => {
-                let usual = Preparation::default();
-                // A filtered profile has been filtered with its stated cut-offs.
-                let unfiltered = reading.filter(|r| r.filter_state != FilterState::Roughness);
-                let stated = unfiltered.map(|reading| &reading.metadata);
-                Preparation {
-                    lambda_s: stated.and_then(|s| s.lambda_s).or(usual.lambda_s),
-                    lambda_c: stated.and_then(|s| s.lambda_c).or(usual.lambda_c),
-                    ..usual
-                }
+            }
+        } else {
+            let usual = Preparation::default();
+            // A filtered profile has been filtered with its stated cut-offs.
+            let unfiltered = reading.filter(|r| r.filter_state != FilterState::Roughness);
+            let stated = unfiltered.map(|reading| &reading.metadata);
+            Preparation {
+                lambda_s: stated.and_then(|s| s.lambda_s).or(usual.lambda_s),
+                lambda_c: stated.and_then(|s| s.lambda_c).or(usual.lambda_c),
+                ..usual
             }
         };
         let chosen = |option: Option<Length>, default: Option<Length>| match option {
@@ -87,9 +86,10 @@ impl Plan {
         }
         Ok(Self {
             recipe,
-            filter: match args.robust {
-                true => RoughnessFilter::RobustGaussian,
-                false => RoughnessFilter::Gaussian,
+            filter: if args.robust {
+                RoughnessFilter::RobustGaussian
+            } else {
+                RoughnessFilter::Gaussian
             },
             involute: involute(args)?,
             sections: match (args.sections, recipe.lambda_c) {

@@ -8,14 +8,14 @@ use asperity_report::profile_json::{height as of_height, um};
 use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
 use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 
-use super::evaluated::{Evaluated, refusal};
+use super::evaluated::{EvaluatedFile, refusal};
 use crate::args::{Common, ProfilePlotArgs};
 use crate::failure::Failure;
 use crate::output::{besides_file, print_text, save, save_new};
 
 /// `asperity profile plot`
 pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
-    let evaluated = Evaluated::new(&args.file, &args.preparing, &args.reading)?;
+    let evaluated = EvaluatedFile::new(&args.file, &args.preparing, &args.reading)?;
     let rough = &evaluated.parts.roughness.profile;
     let curve = abbott_curve(rough.heights())
         .map_err(|e| refusal(&evaluated.reading, &evaluated.plan, &e.into()))?;
@@ -63,7 +63,7 @@ fn height() -> Axis {
     Axis::new("height", "µm")
 }
 
-fn primary(evaluated: &Evaluated, source: &str) -> Chart {
+fn primary(evaluated: &EvaluatedFile, source: &str) -> Chart {
     let title = "Primary profile P and mean line W";
     let chart = Chart::new("primary", title, source, along(), height());
     let chart = chart.with(series("P", Line::Solid, &evaluated.parts.primary, 0));
@@ -74,7 +74,7 @@ fn primary(evaluated: &Evaluated, source: &str) -> Chart {
     }
 }
 
-fn roughness(evaluated: &Evaluated, source: &str) -> Chart {
+fn roughness(evaluated: &EvaluatedFile, source: &str) -> Chart {
     let p = &evaluated.iso4287.heights;
     let title = format!(
         "Roughness profile R: Ra {}, Rq {}, Rz {} µm (ISO 4287)",

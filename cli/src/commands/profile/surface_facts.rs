@@ -15,7 +15,7 @@ use serde_json::json;
 use super::case_lines::case_lines;
 use super::evaluated::{Note, opened_surface};
 use super::file_facts::rounded;
-use super::plan::Plan;
+use super::plan::PreparationPlan;
 use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
 use crate::output::print_report;
@@ -33,7 +33,7 @@ pub(super) fn print(
         return Ok(false);
     };
     let areal = evaluated(&surface);
-    let lay = measured_lay(&surface, &Plan::from_args(&args.preparing)?);
+    let lay = measured_lay(&surface, &PreparationPlan::from_args(&args.preparing)?);
     let spacing = |spacing: Option<Length>| {
         spacing.map_or("unknown".to_owned(), |length| rounded(length).to_string())
     };
@@ -123,7 +123,7 @@ fn evaluated(surface: &Surface) -> Result<ArealParameters, String> {
 }
 
 /// The lay of traces along the rows, prepared by the options, or why it is not known.
-fn measured_lay(surface: &Surface, plan: &Plan) -> Result<RowLay, String> {
+fn measured_lay(surface: &Surface, plan: &PreparationPlan) -> Result<RowLay, String> {
     match lay_of_rows(
         &surface.z,
         surface.columns,

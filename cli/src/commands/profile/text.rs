@@ -9,14 +9,14 @@ use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
 
 use super::details::Details;
-use super::evaluated::Evaluated;
+use super::evaluated::EvaluatedFile;
 use super::file_facts::{FileFacts, rounded};
 use super::plan::as_is;
 use crate::args::name_of;
 
 /// Report of a profile, which begins with the facts of the file and whether a run takes it, and ends with the lines of a case.
 pub(super) fn report<'a>(
-    evaluated: &Evaluated,
+    evaluated: &EvaluatedFile,
     facts: &FileFacts,
     details: &Details,
     case_lines: String,
@@ -39,7 +39,7 @@ pub(super) fn report<'a>(
 }
 
 /// Whether a run takes the trace.
-fn usable(evaluated: &Evaluated) -> String {
+fn usable(evaluated: &EvaluatedFile) -> String {
     let warnings = evaluated.warnings();
     if warnings.iter().any(|warning| warning.code() == Code::W124) {
         return format!(
@@ -55,7 +55,7 @@ fn usable(evaluated: &Evaluated) -> String {
 }
 
 /// Form, cut-offs and sections of the evaluation.
-fn recipe(evaluated: &Evaluated) -> String {
+fn recipe(evaluated: &EvaluatedFile) -> String {
     let record = &evaluated.parts.roughness.record;
     let recipe = &record.recipe;
     let cutoff = |value: Option<Length>| value.map_or("none".to_owned(), |v| v.to_string());
@@ -75,7 +75,7 @@ fn recipe(evaluated: &Evaluated) -> String {
 }
 
 /// Options for the filtering of the instrument, if a different one is used.
-fn stated_cutoffs(evaluated: &Evaluated) -> Vec<String> {
+fn stated_cutoffs(evaluated: &EvaluatedFile) -> Vec<String> {
     let (facts, recipe) = (&evaluated.reading.metadata, &evaluated.plan.recipe);
     let state = evaluated.reading.filter_state;
     if state == FilterState::Roughness {
@@ -114,9 +114,9 @@ fn stated_cutoffs(evaluated: &Evaluated) -> Vec<String> {
 const HEIGHT: usize = 4;
 
 /// Parameter of a table: name, digits, value.
-type Parameter<T> = (&'static str, usize, fn(&T) -> Option<f64>);
+type ParameterLine<T> = (&'static str, usize, fn(&T) -> Option<f64>);
 
-const HEIGHTS: [Parameter<HeightParameters>; 12] = [
+const HEIGHTS: [ParameterLine<HeightParameters>; 12] = [
     ("Ra", HEIGHT, |p| Some(um(p.ra))),
     ("Rq", HEIGHT, |p| Some(um(p.rq))),
     ("Rz", HEIGHT, |p| Some(um(p.rz))),
@@ -131,7 +131,7 @@ const HEIGHTS: [Parameter<HeightParameters>; 12] = [
     ("Rdq", HEIGHT, |p| Some(p.rdq)),
 ];
 
-fn heights(evaluated: &Evaluated, details: &Details) -> Table {
+fn heights(evaluated: &EvaluatedFile, details: &Details) -> Table {
     let columns = [
         Some(&evaluated.iso4287.heights),
         Some(&evaluated.iso21920.heights),
@@ -156,7 +156,7 @@ fn heights(evaluated: &Evaluated, details: &Details) -> Table {
     }
 }
 
-const MATERIAL: [Parameter<RkParameters>; 5] = [
+const MATERIAL: [ParameterLine<RkParameters>; 5] = [
     ("Rk", HEIGHT, |m| Some(um(m.rk))),
     ("Rpk", HEIGHT, |m| Some(um(m.rpk))),
     ("Rvk", HEIGHT, |m| Some(um(m.rvk))),
@@ -164,7 +164,7 @@ const MATERIAL: [Parameter<RkParameters>; 5] = [
     ("Mr2", 2, |m| Some(m.mr2)),
 ];
 
-fn material(evaluated: &Evaluated, details: &Details) -> Table {
+fn material(evaluated: &EvaluatedFile, details: &Details) -> Table {
     let rows = MATERIAL.map(|(name, digits, value)| {
         let columns = [Some(&evaluated.iso4287.material), details.secant.as_ref()];
         let shown = columns.map(|m| number(m.and_then(value), digits));
@@ -189,7 +189,7 @@ fn open(name: &str, digits: usize, details: &Details) -> String {
 }
 
 /// Choices over which the ranges extend.
-fn choices(evaluated: &Evaluated) -> String {
+fn choices(evaluated: &EvaluatedFile) -> String {
     let recipe = &evaluated.plan.recipe;
     let ends = recipe.lambda_c.or(recipe.lambda_s).is_some();
     let choices = [
@@ -206,7 +206,7 @@ fn choices(evaluated: &Evaluated) -> String {
     format!("open = range over permitted choices: {choices}, one at a time")
 }
 
-fn spectral(evaluated: &Evaluated, details: &Details) -> Vec<String> {
+fn spectral(evaluated: &EvaluatedFile, details: &Details) -> Vec<String> {
     let s = &evaluated.iso4287.spectral;
     let moments = format!(
         "m0 {} um2, m2 {}, m4 {} 1/um2, bandwidth {}",
@@ -260,9 +260,10 @@ fn hurst(details: &Details) -> String {
             fit.hurst,
             fit.standard_error,
             fit.bands,
-            match (0.0..=1.0).contains(&fit.hurst) {
-                true => "",
-                false => ": not a self-affine profile",
+            if (0.0..=1.0).contains(&fit.hurst) {
+                ""
+            } else {
+                ": not a self-affine profile"
             }
         ),
         Err(reason) => format!("none over {over}: {reason}. Pass --hurst 200um:8um"),
@@ -271,7 +272,7 @@ fn hurst(details: &Details) -> String {
 }
 
 /// Values printed by the instrument, with the computed value of the same parameter.
-fn printed(evaluated: &Evaluated) -> Table {
+fn printed(evaluated: &EvaluatedFile) -> Table {
     columns! { printed in &evaluated.reading.metadata.printed;
         head name "parameter" "";
         number printed "printed" "" = format!("{:.*}", printed.decimals, printed.value);
@@ -282,7 +283,7 @@ fn printed(evaluated: &Evaluated) -> Table {
 }
 
 /// Computed value of a parameter by its printed name, in µm, percent or as a number.
-fn value_of(name: &str, evaluated: &Evaluated) -> Option<f64> {
+fn value_of(name: &str, evaluated: &EvaluatedFile) -> Option<f64> {
     let (r, m) = (&evaluated.iso4287.heights, &evaluated.iso4287.material);
     let (p, w) = (&evaluated.primary, evaluated.waviness.as_ref());
     Some(match name {

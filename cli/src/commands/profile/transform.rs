@@ -14,7 +14,7 @@ use super::evaluated::{
     Note, achieved, made_points, opened, opened_trace, refusal, refused, save, save_trace,
     synthetic, to_digits, without_outliers,
 };
-use super::plan::Plan;
+use super::plan::PreparationPlan;
 use super::{like_surface, like_trace};
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
@@ -134,7 +134,7 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
     let common = &besides_file(&args.output, common)?;
     let reading = opened(&args.file, &args.reading, args.preparing.base_radius)?;
     let (reading, outliers) = without_outliers(reading, args.preparing.outliers)?;
-    let plan = Plan::for_reading(&args.preparing, &reading)?;
+    let plan = PreparationPlan::for_reading(&args.preparing, &reading)?;
     let unfit = |error| refusal(&reading, &plan, &error);
     let without_involute = plan.without_involute(&reading.profile).map_err(unfit)?;
     let trace = without_involute.as_ref().unwrap_or(&reading.profile);

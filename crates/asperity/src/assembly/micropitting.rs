@@ -17,7 +17,7 @@ use crate::result::ContactView;
 use crate::result::{MicropittingCell, MicropittingReport};
 use asperity_case::case::{Case, MicropittingInput, OperatingCase};
 use asperity_case::error::PositionError;
-use asperity_case::flanks::Surfaces;
+use asperity_case::flanks::{OffsetIndex, Surfaces};
 
 /// Cut-off of the roughness that is shorter than most contacts.
 const SHORT: Length = Length::from_si(80e-6);
@@ -67,9 +67,10 @@ pub(crate) fn report(
     Ok(Some(MicropittingReport {
         lambda_min: least.lambda,
         path_fraction: least.path_fraction,
-        place: match least.path_fraction < pitch {
-            true => "root of the pinion against the tip of the wheel".to_owned(),
-            false => "tip of the pinion against the root of the wheel".to_owned(),
+        place: if least.path_fraction < pitch {
+            "root of the pinion against the tip of the wheel".to_owned()
+        } else {
+            "tip of the pinion against the root of the wheel".to_owned()
         },
         outside: outside_of_scope(loaded),
         load_factor: rating.load_factor,
@@ -190,7 +191,7 @@ impl<'a> Rating<'a> {
         let count = surfaces.offsets(model.offsets);
         let mut sum = 0.0;
         for k in 0..count {
-            let roughness = surfaces.roughness_at(at, model.window, (k, count))?;
+            let roughness = surfaces.roughness_at(at, model.window, OffsetIndex { k, count })?;
             sum += roughness.combined_rq()?.si();
         }
         Ok(Some(sum / count as f64).filter(|rq| *rq > 0.0))

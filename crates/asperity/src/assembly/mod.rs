@@ -47,13 +47,6 @@ use asperity_case::case::{Case, ShareLaw};
 use asperity_case::error::PositionError;
 use asperity_case::message::Warning;
 
-/// Input of the warnings about a mesh: its summary, its gearbox, and the effect of contact of the tip edges.
-type OfMesh<'a> = (
-    &'a Summary,
-    Option<&'a GearboxReport>,
-    Option<&'a EdgeContactNote>,
-);
-
 impl Solved<'_> {
     /// Losses, without the other parts of a result.
     pub(crate) fn losses(self) -> Result<Losses, PositionError> {
@@ -63,10 +56,15 @@ impl Solved<'_> {
         check(&summary, gearbox.as_ref(), &path)?;
         // Losses do not need the second load map of a warning, and are no worse without it.
         let edge_contact = self.map.edge_contact_note().ok().flatten();
-        let of_mesh = (&summary, gearbox.as_ref(), edge_contact.as_ref());
         Ok(Losses {
             outside: warnings::outside(self.loaded, &self.positions, &summary)?,
-            warnings: self.warnings(of_mesh, &[], &self.record_rows())?,
+            warnings: self.warnings(
+                &summary,
+                gearbox.as_ref(),
+                edge_contact.as_ref(),
+                &[],
+                &self.record_rows(),
+            )?,
             summary,
             path,
             offsets: offset_rows(&self.meshes),
@@ -97,8 +95,14 @@ impl Solved<'_> {
         let views: Vec<_> = views.collect();
         let micropitting = micropitting::report(self.loaded, &self.positions, &views, &ends)?;
         let records = self.record_rows();
-        let of_mesh = (&summary, gearbox.as_ref(), load.edge_contact.as_ref());
-        let warnings = self.warnings(of_mesh, &pictures, &records)?;
+        let edge_contact = load.edge_contact.as_ref();
+        let warnings = self.warnings(
+            &summary,
+            gearbox.as_ref(),
+            edge_contact,
+            &pictures,
+            &records,
+        )?;
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
             program: PROGRAM.to_owned(),
@@ -152,7 +156,9 @@ impl Solved<'_> {
     /// no pictures.
     fn warnings(
         &self,
-        (summary, gearbox, edge_contact): OfMesh<'_>,
+        summary: &Summary,
+        gearbox: Option<&GearboxReport>,
+        edge_contact: Option<&EdgeContactNote>,
         pictures: &[Option<Picture>],
         records: &[RecordRow],
     ) -> Result<Vec<Warning>, PositionError> {
@@ -164,7 +170,7 @@ impl Solved<'_> {
         warnings::micropitting(loaded, &mut warnings);
         let evidence = self.map.evidence();
         let at = positions.iter().map(|position| &position.at);
-        warnings::load(loaded, at, (edge_contact, evidence), &mut warnings);
+        warnings::load(loaded, at, edge_contact, evidence, &mut warnings);
         warnings::records(loaded, records, &mut warnings)?;
         gravest_first(&mut warnings, |warning| Some(warning.code));
         Ok(warnings)
@@ -258,9 +264,10 @@ impl Solved<'_> {
     /// of which it is a part.
     fn running_in(&self) -> Result<RunningIn, PositionError> {
         let mut windows = self.positions.iter().flat_map(|at| &at.offsets);
-        let power = match windows.all(|window| window.deformation.is_some()) {
-            true => 0.0,
-            false => of_all_offsets(self.loaded, &self.positions)?.plastic.si(),
+        let power = if windows.all(|window| window.deformation.is_some()) {
+            0.0
+        } else {
+            of_all_offsets(self.loaded, &self.positions)?.plastic.si()
         };
         let period = self.meshes.first();
         let period = period.map_or(0.0, |mesh| mesh.engagement_period.si());

@@ -12,7 +12,7 @@ use asperity_tribo_friction::{FilmFriction, FrictionLaw, NamedFriction};
 
 use super::cycle::{efficiency_at, operation};
 use super::solved::Solved;
-use crate::lubrication::{LubricatedPosition, film_contact};
+use crate::lubrication::{LubricatedPosition, SmoothPosition, film_contact};
 use crate::result::{PublishedLawRow, PublishedOutcome};
 use asperity_case::error::PositionError;
 
@@ -68,19 +68,23 @@ fn applied(
     for position in positions {
         let mut of_offsets = Vec::with_capacity(position.offsets.len());
         for offset in &position.offsets {
-            let (at, film) = (&position.at, &position.film);
-            let contact = film_contact(case, (at, film), &offset.roughness, case.oil())?;
+            let smooth = SmoothPosition {
+                at: &position.at,
+                film: &position.film,
+            };
+            let contact = film_contact(case, smooth, &offset.roughness, case.oil())?;
             let found = named.traction(&contact)?;
             for note in &found.outside {
                 outside.insert(format!("{} of {}", note.name, note.correlation));
             }
-            of_offsets.push(found.value.coefficient * at.load.si());
+            of_offsets.push(found.value.coefficient * position.at.load.si());
         }
         forces.push(of_offsets);
     }
-    let rolling: Vec<f64> = match law.published().excludes_rolling {
-        true => solved.rolling.clone(),
-        false => vec![0.0; solved.rolling.len()],
+    let rolling: Vec<f64> = if law.published().excludes_rolling {
+        solved.rolling.clone()
+    } else {
+        vec![0.0; solved.rolling.len()]
     };
     let number = |position: &LubricatedPosition| position.at.number - 1;
     let mut meshes = Vec::with_capacity(solved.meshes.len());

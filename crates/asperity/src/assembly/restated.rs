@@ -79,13 +79,15 @@ impl<'a> Restated<'a> {
         cite!("Loss-at-median");
         Self {
             case,
-            loss_w: match summary.loss_w > 0.0 {
-                true => loss_w,
-                false => summary.loss_w,
+            loss_w: if summary.loss_w > 0.0 {
+                loss_w
+            } else {
+                summary.loss_w
             },
-            ratio: match summary.loss_w > 0.0 {
-                true => loss_w / summary.loss_w,
-                false => 1.0,
+            ratio: if summary.loss_w > 0.0 {
+                loss_w / summary.loss_w
+            } else {
+                1.0
             },
         }
     }

@@ -96,7 +96,7 @@ pub(crate) fn of_case(
     covered(loaded, at(), &mut found);
     let edge_contact = mesh.load.edge_contact_note()?;
     let evidence = mesh.load.evidence();
-    load(loaded, at(), (edge_contact.as_ref(), evidence), &mut found);
+    load(loaded, at(), edge_contact.as_ref(), evidence, &mut found);
     Ok(found)
 }
 
@@ -187,9 +187,12 @@ fn above_tested_pressure(
     let watts = powers
         .iter()
         .zip([summary.film_w, summary.lubricated_asperity_w])
-        .map(|([whole, above], watts)| match *whole > 0.0 {
-            true => watts * above / whole,
-            false => 0.0,
+        .map(|([whole, above], watts)| {
+            if *whole > 0.0 {
+                watts * above / whole
+            } else {
+                0.0
+            }
         });
     let [film, spots] = [0, 1].map(|k| watts.clone().nth(k).unwrap_or(0.0));
     if film + spots >= LEAST_SHARE * summary.loss_w {
@@ -234,9 +237,10 @@ pub(crate) fn relief(loaded: &OperatingCase, at_ends: Option<[f64; 2]>) -> Optio
         [false, true] => "of the wheel",
         _ => "of both gears",
     };
-    let edges = match loaded.case.gears.internal {
-        true => "",
-        false => ", with tip edge contact",
+    let edges = if loaded.case.gears.internal {
+        ""
+    } else {
+        ", with tip edge contact"
     };
     let most = 1e6 * assumed.approach.si();
     let worth = at_ends.map_or(String::new(), |ratios| {
@@ -346,7 +350,8 @@ fn code(note: &OutOfRange) -> Code {
 pub(crate) fn load<'a>(
     loaded: &OperatingCase,
     positions: impl ExactSizeIterator<Item = &'a MeshPosition>,
-    (edge_contact, evidence): (Option<&EdgeContactNote>, &LoadMapEvidence),
+    edge_contact: Option<&EdgeContactNote>,
+    evidence: &LoadMapEvidence,
     found: &mut Vec<Warning>,
 ) {
     let mut add = |code, text: String| found.push(Warning::new(code, text));
@@ -767,9 +772,10 @@ fn values_alone(loaded: &OperatingCase, found: &mut Vec<Warning>) -> Result<(), 
         return Ok(());
     }
     let peak = loaded.surfaces.roughness_of_values()?.reduced_peak;
-    let ratio = match peak.is_some_and(|peak| peak > 0.0) {
-        true => "Lambda*",
-        false => "without rpk and asperity_radius the classical film ratio",
+    let ratio = if peak.is_some_and(|peak| peak > 0.0) {
+        "Lambda*"
+    } else {
+        "without rpk and asperity_radius the classical film ratio"
     };
     let text = format!(
         "a flank is given by roughness values only, so the rough contact was not computed: the load share follows from the film ratio, {ratio}"

@@ -7,7 +7,7 @@ use super::pressed::Pressing;
 use crate::mesh::position_at;
 use asperity_case::case::LoadedCase;
 use asperity_case::error::{Error, PositionError};
-use asperity_case::flanks::WindowPair;
+use asperity_case::flanks::{OffsetIndex, WindowPair};
 
 /// A dry rough contact.
 #[derive(Debug, Clone)]
@@ -38,8 +38,8 @@ fn solve(loaded: &LoadedCase, path_fraction: f64) -> Result<DryContact, Position
     surfaces.check_one_pair()?;
     let path = case.gears.path();
     let position = position_at(case, path.a + (path.e - path.a) * path_fraction)?;
-    let window = (case.model.window, case.modulus);
-    let pair = WindowPair::at(surfaces, &position, window, (0, 1))?;
+    let first = OffsetIndex { k: 0, count: 1 };
+    let pair = WindowPair::at(surfaces, &position, case.model.window, case.modulus, first)?;
     let pair = pair.ok_or_else(PositionError::no_profile)?;
     let pressing = Pressing {
         case,

@@ -70,9 +70,10 @@ impl Offsets {
         let follows_from_windows = case.share_law().contact().is_some()
             && surfaces.are_measured()
             && surfaces.placement().is_none();
-        match follows_from_windows {
-            true => Self::Needed,
-            false => Self::Fixed(default),
+        if follows_from_windows {
+            Self::Needed
+        } else {
+            Self::Fixed(default)
         }
     }
 
@@ -114,9 +115,11 @@ impl WindowInputs {
     /// When the contact refuses the numbers.
     pub(crate) fn rough_contact(
         &self,
-        (load, radius): (LineLoad, Length),
+        load: LineLoad,
+        radius: Length,
         composite: &[f64],
-        (rows, spacings): (usize, [Length; 2]),
+        rows: usize,
+        spacings: [Length; 2],
     ) -> Result<RoughContact, PositionError> {
         let [pinion, wheel] = self.flow_pressure.map(Pressure::si);
         let of_line = self.tolerance.min(LOOSEST_TOLERANCE);

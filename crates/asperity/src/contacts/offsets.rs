@@ -21,7 +21,7 @@ use asperity_core::task::par_map;
 use super::inputs::WindowInputs;
 use super::window_contact::WindowContact;
 use crate::mesh::{MeshPosition, numbered};
-use crate::sampling::{Scatter, windows_of_traces};
+use crate::sampling::{LossScatter, windows_of_traces};
 use asperity_case::case::LEAST_OFFSETS;
 use asperity_case::error::{Error, PositionError};
 
@@ -38,7 +38,7 @@ const MOST: usize = 256;
 const OVERLAP: f64 = 4.0;
 
 /// The windows of the first offsets at a position.
-type Windows<'a> =
+type OffsetWindows<'a> =
     &'a (dyn Fn(&MeshPosition) -> Result<&'a [Arc<WindowContact>], PositionError> + Sync);
 
 /// The number of offsets for a standard error of 1 %, from the scatter of the first ones.
@@ -54,7 +54,7 @@ type Windows<'a> =
 /// With the number of the position, when a contact has no solution.
 pub(super) fn offsets_needed(
     windows: &WindowInputs,
-    first: Windows<'_>,
+    first: OffsetWindows<'_>,
     positions: &[MeshPosition],
 ) -> Result<usize, Error> {
     cite!("Adaptive-offsets");
@@ -80,7 +80,7 @@ pub(super) fn offsets_needed(
         Ok([mean(friction.iter().copied()), scatter].map(|value| weight * value))
     };
     let found = numbered(par_map(positions, of_position))?;
-    let scatter = Scatter::from_positions(found.into_iter());
+    let scatter = LossScatter::from_positions(found.into_iter());
     let half_widths = positions.iter().map(|at| at.hertz.half_width.si());
     let widest = Length::from_si(half_widths.fold(0.0, f64::max));
     let independent = windows_of_traces(&windows.surfaces, windows.reach, widest);

@@ -91,10 +91,10 @@ impl Contacts {
         let of_offset = |at, k| {
             let mut shared = known
                 .iter()
-                .filter_map(|known| known.of_offset(at, (k, count)));
+                .filter_map(|known| known.of_offset(at, k, count));
             match shared.next() {
                 Some(shared) => Ok(shared),
-                None => WindowContact::of_offset(windows, at, (k, count)),
+                None => WindowContact::of_offset(windows, at, k, count),
             }
         };
         let of_position = |at| (0..count).map(|k| of_offset(at, k)).collect();
@@ -144,7 +144,8 @@ impl Contacts {
     fn of_offset(
         &self,
         position: &MeshPosition,
-        (k, count): (usize, usize),
+        k: usize,
+        count: usize,
     ) -> Option<Arc<WindowContact>> {
         let row = self.rows.get(&key(position))?;
         let pairs = self.inputs.windows.surfaces.pairs();
@@ -214,11 +215,12 @@ impl Contacts {
 
     /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.
     pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
-        match self.have_windows_of(&ContactInputs::from_case(loaded)) {
-            true => Ok(()),
-            false => Err(PositionError::other_tables(
+        if self.have_windows_of(&ContactInputs::from_case(loaded)) {
+            Ok(())
+        } else {
+            Err(PositionError::other_tables(
                 "flank, steel, window or number of offsets",
-            )),
+            ))
         }
     }
 

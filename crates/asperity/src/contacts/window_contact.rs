@@ -11,7 +11,9 @@ use super::inputs::WindowInputs;
 use crate::mesh::MeshPosition;
 use asperity_case::case::LoadedCase;
 use asperity_case::error::PositionError;
-use asperity_case::flanks::{PatchPlace, Roughness, Sheets, Window, WindowPair, row_place};
+use asperity_case::flanks::{
+    OffsetIndex, PatchPlace, Roughness, Sheets, Window, WindowPair, row_place,
+};
 
 /// The rough contact of one window, and its roughness.
 #[derive(Debug, Clone)]
@@ -47,7 +49,7 @@ struct WindowPlace {
     /// Cell of the path.
     cell: usize,
     /// Offset and number of offsets of all pairs.
-    offset: (usize, usize),
+    offset: OffsetIndex,
 }
 
 impl WindowContact {
@@ -61,7 +63,7 @@ impl WindowContact {
         position: &MeshPosition,
     ) -> Result<Vec<Arc<Self>>, PositionError> {
         let count = inputs.surfaces.offsets(each);
-        let of_offset = |k| Self::of_offset(inputs, position, (k, count));
+        let of_offset = |k| Self::of_offset(inputs, position, k, count);
         (0..count).map(of_offset).collect()
     }
 
@@ -72,7 +74,8 @@ impl WindowContact {
     pub(super) fn of_offset(
         inputs: &Arc<WindowInputs>,
         position: &MeshPosition,
-        (k, count): (usize, usize),
+        k: usize,
+        count: usize,
     ) -> Result<Arc<Self>, PositionError> {
         checkpoint()?;
         let surfaces = &inputs.surfaces;
@@ -83,10 +86,10 @@ impl WindowContact {
                 radius: position.motion.radius,
                 zone: position.zone,
                 cell: position.cell,
-                offset: (k, count),
+                offset: OffsetIndex { k, count },
             },
             window: Window::at(surfaces, position, inputs.reach, k, count)?,
-            roughness: surfaces.roughness_at(position, inputs.reach, (k, count))?,
+            roughness: surfaces.roughness_at(position, inputs.reach, OffsetIndex { k, count })?,
             table: Noted::default(),
             flattened: LastFilm::default(),
         }))
@@ -131,14 +134,15 @@ impl WindowContact {
         let window = self.window.ok_or_else(PositionError::no_profile)?;
         if let Some((sheets, place)) = self.patch(window)? {
             let composite = sheets.composite(place);
-            let rows = (sheets.rows(), sheets.spacings());
-            return self.inputs.rough_contact((load, radius), &composite, rows);
+            let (rows, spacings) = (sheets.rows(), sheets.spacings());
+            let inputs = &self.inputs;
+            return inputs.rough_contact(load, radius, &composite, rows, spacings);
         }
         let [first, second] = window.cut(&self.inputs.surfaces, zone, offset)?;
         let pairs = first.heights().iter().zip(second.heights());
         let composite: Vec<f64> = pairs.map(|(a, b)| a + b).collect();
         self.inputs
-            .rough_contact((load, radius), &composite, (1, [first.spacing(); 2]))
+            .rough_contact(load, radius, &composite, 1, [first.spacing(); 2])
     }
 
     /// Both surfaces with the place of the patch around a window; `None` of traces.
@@ -152,7 +156,7 @@ impl WindowContact {
         let WindowPlace {
             zone,
             cell,
-            offset: (k, count),
+            offset: OffsetIndex { k, count },
             ..
         } = self.place;
         let (of_pair, k, _) = self.inputs.surfaces.met(zone, k, count);
@@ -230,7 +234,7 @@ impl WindowContact {
             if window.is_none() && loaded.case.formulation.pressures().is_some() {
                 return Err(PositionError::no_profile());
             }
-            surfaces.roughness_at(position, model.window, (k, count))?;
+            surfaces.roughness_at(position, model.window, OffsetIndex { k, count })?;
         }
         Ok(())
     }

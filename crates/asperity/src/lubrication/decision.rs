@@ -8,11 +8,11 @@ use asperity_tribo_friction::FilmContact;
 
 use super::chosen_laws::ChosenLaws;
 use super::friction;
+use super::smooth_position::SmoothPosition;
 use crate::mesh::MeshPosition;
 use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, WindowPair};
-use asperity_case::formula_film::FormulaFilm;
 use asperity_case::formulation::FilmRegime;
 use asperity_case::load_share_law::{ShareConditions, SharedLoad};
 use asperity_mixed_film::LoadShareSolution;
@@ -43,7 +43,7 @@ impl<'a> Undecided<'a> {
     pub(crate) fn new(
         case: &'a OperatingCase,
         laws: &ChosenLaws,
-        (position, film): (&MeshPosition, &FormulaFilm),
+        SmoothPosition { at: position, film }: SmoothPosition<'_>,
         roughness: &Roughness,
     ) -> Result<Self, PositionError> {
         let combined = roughness.combined_rq()?;
@@ -57,7 +57,12 @@ impl<'a> Undecided<'a> {
             lambda_star: star(&film.shown)?,
             lambda_star_of_share: star(&film.film)?,
             film_ratio: ratio,
-            contact: friction::film_contact(case, (position, film), roughness, case.oil())?,
+            contact: friction::film_contact(
+                case,
+                SmoothPosition { at: position, film },
+                roughness,
+                case.oil(),
+            )?,
         })
     }
 
@@ -65,8 +70,9 @@ impl<'a> Undecided<'a> {
     pub(crate) fn conditions<'b>(
         &'b self,
         case: &OperatingCase,
-        (position, film): (&'b MeshPosition, &'b FormulaFilm),
-        (roughness, window): (&'b Roughness, Option<&'b WindowPair>),
+        SmoothPosition { at: position, film }: SmoothPosition<'b>,
+        roughness: &'b Roughness,
+        window: Option<&'b WindowPair>,
         solved: Option<&'b LoadShareSolution>,
     ) -> ShareConditions<'b> {
         ShareConditions {

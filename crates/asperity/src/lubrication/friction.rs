@@ -10,11 +10,11 @@ use asperity_tribo_friction::{
 };
 
 use super::chosen_laws::ChosenLaws;
+use super::smooth_position::SmoothPosition;
 use crate::mesh::MeshPosition;
 use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, Surfaces};
-use asperity_case::formula_film::FormulaFilm;
 use asperity_case::load_share_law::SharedLoad;
 use asperity_case::window_pressures::Pressed;
 
@@ -36,23 +36,23 @@ const FLASH_PASSES: usize = 50;
 pub(crate) fn in_film<'a>(
     case: &OperatingCase,
     law: &dyn FilmFriction,
-    position: (&MeshPosition, &FormulaFilm),
+    position: SmoothPosition<'_>,
     film_share: f64,
     roughness: impl IntoIterator<Item = &'a Roughness>,
 ) -> Result<Vec<InFilm>, PositionError> {
-    struct Open<'a> {
+    struct OpenWindow<'a> {
         k: usize,
         roughness: &'a Roughness,
         oil: LubricantState,
         before: f64,
     }
-    let begin = |(k, roughness)| Open {
+    let begin = |(k, roughness)| OpenWindow {
         k,
         roughness,
         oil: *case.oil(),
         before: 0.0,
     };
-    let mut open: Vec<Open<'_>> = roughness.into_iter().enumerate().map(begin).collect();
+    let mut open: Vec<OpenWindow<'_>> = roughness.into_iter().enumerate().map(begin).collect();
     let mut settled = Vec::with_capacity(open.len());
     for _ in 0..FLASH_PASSES {
         let contacts = open
@@ -65,7 +65,7 @@ pub(crate) fn in_film<'a>(
         let mut left = Vec::new();
         for (one, found) in open.into_iter().zip(law.tractions(&contacts)?) {
             let mu = case.model.friction_scale * found.value.coefficient;
-            let flash = flash(case, position.0, mu)?;
+            let flash = flash(case, position.at, mu)?;
             let is_settled = (flash - one.before).abs() <= FLASH_SETTLED;
             if is_settled || !case.model.flash_feedback {
                 let outside = found.outside;
@@ -73,7 +73,7 @@ pub(crate) fn in_film<'a>(
                 continue;
             }
             let temperature = Temperature::from_si(case.temperature().si() + flash);
-            left.push(Open {
+            left.push(OpenWindow {
                 before: flash,
                 oil: case.lubricant.at(temperature)?.value,
                 ..one
@@ -96,7 +96,7 @@ pub(crate) fn smooth(
     case: &OperatingCase,
     laws: &ChosenLaws,
     surfaces: &Surfaces,
-    position: (&MeshPosition, &FormulaFilm),
+    position: SmoothPosition<'_>,
 ) -> Result<f64, PositionError> {
     let roughness = surfaces.roughness_as_a_whole()?;
     let contact = film_contact(case, position, &roughness, case.oil())?;
@@ -116,12 +116,12 @@ pub(crate) fn flash(
 /// The local contact at `position` with the oil in the state `oil`, the whole load on the film.
 pub(crate) fn film_contact<'a>(
     case: &'a OperatingCase,
-    (position, film): (&MeshPosition, &FormulaFilm),
+    SmoothPosition { at: position, film }: SmoothPosition<'_>,
     roughness: &Roughness,
     oil: &LubricantState,
 ) -> Result<FilmContact<'a>, PositionError> {
     Ok(FilmContact {
-        position: conditions(case, (position, film), roughness, oil)?,
+        position: conditions(case, SmoothPosition { at: position, film }, roughness, oil)?,
         surface_speeds: [position.motion.u1, position.motion.u2],
         modulus: case.modulus,
         half_width: position.hertz.half_width,
@@ -135,7 +135,7 @@ pub(crate) fn film_contact<'a>(
 
 fn conditions(
     case: &OperatingCase,
-    (position, film): (&MeshPosition, &FormulaFilm),
+    SmoothPosition { at: position, film }: SmoothPosition<'_>,
     roughness: &Roughness,
     oil: &LubricantState,
 ) -> Result<FrictionConditions, PositionError> {

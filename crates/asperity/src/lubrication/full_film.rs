@@ -3,9 +3,8 @@
 use asperity_core::numerics::NodeInterval;
 use asperity_core::quantity::Length;
 
-use crate::mesh::MeshPosition;
+use super::smooth_position::SmoothPosition;
 use crate::result::FullFilmRow;
-use asperity_case::formula_film::FormulaFilm;
 
 /// Deviation from the formulas that a run warns about.
 pub(crate) const NOTED_DEVIATION: f64 = 0.1;
@@ -27,10 +26,13 @@ impl FullFilm {
     /// The film of `position`: central gap, minimum film, and flow of mass relative to the formula; friction
     /// coefficient by the solution and by the law.
     pub(crate) fn new(
-        (position, formula): (&MeshPosition, &FormulaFilm),
-        fields: Fields,
+        SmoothPosition {
+            at: position,
+            film: formula,
+        }: SmoothPosition<'_>,
+        fields: FilmFields,
         [central, minimum, flow]: [f64; 3],
-        (coefficient, law): (Option<f64>, Option<f64>),
+        [coefficient, law]: [Option<f64>; 2],
     ) -> Self {
         let off = |value: f64, formula: f64| value / formula - 1.0;
         let largest = fields.pressure.iter().copied().fold(0.0, f64::max);
@@ -85,7 +87,7 @@ impl FullFilm {
 }
 
 /// Places over the half-width, pressures \[Pa\] and films \[m\] there.
-pub(crate) struct Fields {
+pub(crate) struct FilmFields {
     pub x: Vec<f64>,
     pub pressure: Vec<f64>,
     pub film: Vec<f64>,

@@ -6,27 +6,41 @@ use asperity_ehl::{Oil, SteadySettings, steady};
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_oil::{PressureLaw, PressureViscosityLaw};
 
-use super::full_film::{Fields, FullFilm};
-use crate::mesh::MeshPosition;
+use super::full_film::{FilmFields, FullFilm};
+use super::smooth_position::SmoothPosition;
 use crate::records::PathRecords;
 use crate::reference_solution::smooth_contact;
 use asperity_case::case::{FullFilmName, OperatingCase};
 use asperity_case::error::PositionError;
-use asperity_case::formula_film::FormulaFilm;
 
 /// The full film of `position` by the choice of the case; none for formulas, and where records were asked
 /// for and there are none. `law` is the friction of the film by the case's law, none for a published one.
 pub(crate) fn full_film_at(
     case: &OperatingCase,
-    (position, formula): (&MeshPosition, &FormulaFilm),
+    SmoothPosition {
+        at: position,
+        film: formula,
+    }: SmoothPosition<'_>,
     records: Option<&PathRecords>,
     law: Option<f64>,
 ) -> Result<Option<FullFilm>, PositionError> {
     match (case.model.full_film, records) {
-        (FullFilmName::Ehl, _) => Ok(Some(smooth(case, (position, formula), law)?)),
-        (FullFilmName::EhlTransient, Some(records)) => {
-            Ok(Some(recorded((position, formula), records, law)?))
-        }
+        (FullFilmName::Ehl, _) => Ok(Some(smooth(
+            case,
+            SmoothPosition {
+                at: position,
+                film: formula,
+            },
+            law,
+        )?)),
+        (FullFilmName::EhlTransient, Some(records)) => Ok(Some(recorded(
+            SmoothPosition {
+                at: position,
+                film: formula,
+            },
+            records,
+            law,
+        )?)),
         _ => Ok(None),
     }
 }
@@ -36,7 +50,10 @@ pub(crate) fn full_film_at(
 /// The inlet is isothermal; the thermal reduction of the case thins the film as it does that of the formula.
 fn smooth(
     case: &OperatingCase,
-    (position, formula): (&MeshPosition, &FormulaFilm),
+    SmoothPosition {
+        at: position,
+        film: formula,
+    }: SmoothPosition<'_>,
     law: Option<f64>,
 ) -> Result<FullFilm, PositionError> {
     let (contact, oil) = smooth_contact(case, position);
@@ -64,20 +81,26 @@ fn smooth(
     let central = film.central_film.si() * reduction;
     let p_0 = position.hertz.max_pressure.si();
     Ok(FullFilm::new(
-        (position, formula),
-        Fields {
+        SmoothPosition {
+            at: position,
+            film: formula,
+        },
+        FilmFields {
             x: film.x,
             pressure: film.pressure.iter().map(|p| p * p_0).collect(),
             film: film.film.iter().map(|h| h * scale).collect(),
         },
         [central, film.minimum_film.si() * reduction, flow],
-        (coefficient, law),
+        [coefficient, law],
     ))
 }
 
 /// Means over the neighbouring records.
 fn recorded(
-    (position, formula): (&MeshPosition, &FormulaFilm),
+    SmoothPosition {
+        at: position,
+        film: formula,
+    }: SmoothPosition<'_>,
     records: &PathRecords,
     law: Option<f64>,
 ) -> Result<FullFilm, PositionError> {
@@ -96,10 +119,13 @@ fn recorded(
     let flow = gap / gap_of_formula;
     let pressure = pressure.iter().map(|p| p * p_0.si()).collect();
     Ok(FullFilm::new(
-        (position, formula),
-        Fields { x, pressure, film },
+        SmoothPosition {
+            at: position,
+            film: formula,
+        },
+        FilmFields { x, pressure, film },
         [gap.si(), minimum, flow],
-        (share.film_coefficient, law),
+        [share.film_coefficient, law],
     ))
 }
 

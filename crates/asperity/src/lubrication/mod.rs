@@ -12,6 +12,7 @@ mod records;
 mod rolling;
 mod rough_film;
 mod share_comparison;
+mod smooth_position;
 mod solve;
 
 pub use asperity_case::formula_film::FormulaFilm;
@@ -33,4 +34,5 @@ pub use share_comparison::{
     ComparedWindow, LawShare, ShareComparison, WINDOWS, compared_windows, points_of_window,
     share_settings, shares, windows_at,
 };
-pub(crate) use solve::{Lubrication, PositionGradient, doubts};
+pub(crate) use smooth_position::SmoothPosition;
+pub(crate) use solve::{LubricatedMesh, PositionGradient, doubts};

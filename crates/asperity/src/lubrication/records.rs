@@ -3,6 +3,7 @@
 use super::chosen_laws::ChosenLaws;
 use super::film_of_case::formula_film;
 use super::friction;
+use super::smooth_position::SmoothPosition;
 use crate::mesh::MeshPosition;
 use crate::records::PathRecords;
 use asperity_case::case::{FullFilmName, OperatingCase, ShareLaw};
@@ -27,7 +28,11 @@ pub(crate) fn records_of(
     let smooth = |position: &MeshPosition| match case.model.film_friction.shear_law() {
         Some(_) if case.laws.friction.is_none() => {
             let film = formula_film(case, position)?;
-            friction::smooth(case, laws, &loaded.surfaces, (position, &film)).map(Some)
+            let smooth = SmoothPosition {
+                at: position,
+                film: &film,
+            };
+            friction::smooth(case, laws, &loaded.surfaces, smooth).map(Some)
         }
         _ => Ok(None),
     };

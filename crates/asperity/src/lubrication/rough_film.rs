@@ -6,13 +6,13 @@ use asperity_core::Checked;
 use asperity_core::quantity::Length;
 
 use super::chosen_laws::ChosenLaws;
+use super::smooth_position::SmoothPosition;
 use crate::contacts::WindowContact;
 use crate::mesh::MeshPosition;
 use crate::result::PatchFields;
 use asperity_case::case::OperatingCase;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
-use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
     AttenuatedTraces, Flattening, Kinks, LoadShareSettings, LoadShareSolution, PositionFilm,
     SmoothFilm, Unflattening, WindowGradient, WindowRoughness,
@@ -36,7 +36,7 @@ impl<'a> RoughFilm<'a> {
         case: &'a OperatingCase,
         laws: &ChosenLaws,
         surfaces: &Surfaces,
-        (position, film): (&MeshPosition, &FormulaFilm),
+        SmoothPosition { at: position, film }: SmoothPosition<'_>,
     ) -> Result<Option<Self>, PositionError> {
         let Some(chosen) = laws.load_share.contact() else {
             return Ok(None);
@@ -175,7 +175,8 @@ impl RoughFilm<'_> {
     /// As [`share`](Self::share).
     pub(crate) fn window_gradient(
         &mut self,
-        (contact, window): (&WindowContact, Window),
+        contact: &WindowContact,
+        window: Window,
         force: f64,
     ) -> Result<(Option<WindowGradient>, Kinks), PositionError> {
         let roughness = self.roughness(contact, window)?;

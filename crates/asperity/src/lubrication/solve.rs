@@ -3,12 +3,12 @@
 //! 1. The formulas give the smooth film of the position.
 //! 2. In every window the rough contact under that film gives the share of the asperities ([`RoughFilm::share`]), unless a law of
 //!    the load share replaces it.
-//! 3. The law of the load share turns this into the shares of film and boundary layer and into a regime ([`Lubrication::decided`]).
+//! 3. The law of the load share turns this into the shares of film and boundary layer and into a regime ([`LubricatedMesh::decided`]).
 //! 4. The friction of the film comes from a solved full film, from the share, or from the law of film friction.
 //! 5. Forces follow from shares and coefficients, and from the forces the flash temperature.
 //!
 //! A formulation with pressures of its own ([`WindowPressures`]) has no share by the contact: its pressures replace what step 3
-//! gives to friction, film share and deformation of a window ([`Lubrication::press_by_law`]).
+//! gives to friction, film share and deformation of a window ([`LubricatedMesh::press_by_law`]).
 
 use std::sync::Arc;
 
@@ -26,12 +26,13 @@ use super::full_film_solution::full_film_at;
 use super::plausibility::{check_position, plausible_film};
 use super::position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 use super::rough_film::RoughFilm;
+use super::smooth_position::SmoothPosition;
 use crate::contacts::{Pressing, WindowContact};
 use crate::mesh::MeshPosition;
 use crate::records::{PathRecords, RecordedShare};
 use asperity_case::case::{FullFilmName, OperatingCase, ShareLaw};
 use asperity_case::error::PositionError;
-use asperity_case::flanks::{Surfaces, WindowPair};
+use asperity_case::flanks::{OffsetIndex, Surfaces, WindowPair};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_case::window_pressures::{Pressed, WindowConditions, WindowPressures};
 
@@ -55,7 +56,7 @@ pub(crate) struct PositionGradient {
 
 /// Everything that is the same at all positions.
 #[derive(Clone, Copy)]
-pub(crate) struct Lubrication<'a> {
+pub(crate) struct LubricatedMesh<'a> {
     pub case: &'a OperatingCase,
     pub laws: &'a ChosenLaws,
     pub surfaces: &'a Surfaces,
@@ -63,7 +64,7 @@ pub(crate) struct Lubrication<'a> {
     pub records: Option<&'a PathRecords>,
 }
 
-impl Lubrication<'_> {
+impl LubricatedMesh<'_> {
     /// Film, load share and friction at `at` in every window of `contacts`.
     ///
     /// # Errors
@@ -74,15 +75,16 @@ impl Lubrication<'_> {
         contacts: &[Arc<WindowContact>],
     ) -> Result<LubricatedPosition, PositionError> {
         let film = plausible_film(self.case, at)?;
-        let of_position = (at, &film);
+        let of_position = SmoothPosition { at, film: &film };
         let smooth = self.smooth_friction(of_position)?;
         let records = self.records_of_share();
         let recorded = records.map(|records| records.at(at.s, smooth));
         let decided = self.decided(of_position, contacts, recorded)?;
         let is_full = |decided: &Decided| decided.decision.is_full;
-        let full_film = match decided.iter().any(is_full) {
-            true => full_film_at(self.case, of_position, self.records, smooth)?,
-            false => None,
+        let full_film = if decided.iter().any(is_full) {
+            full_film_at(self.case, of_position, self.records, smooth)?
+        } else {
+            None
         };
         let frictions = self.in_film(of_position, contacts, &decided, full_film.as_ref())?;
         let mut position = LubricatedPosition {
@@ -118,9 +120,16 @@ impl Lubrication<'_> {
                 deformation: None,
             };
             if let Some(law) = self.case.formulation.pressures() {
-                let pair = self.pair(at, contact, (k, contacts.len()))?;
+                let pair = self.pair(
+                    at,
+                    contact,
+                    OffsetIndex {
+                        k,
+                        count: contacts.len(),
+                    },
+                )?;
                 let pair = pair.ok_or_else(PositionError::no_profile)?;
-                self.press_by_law(law, &pair, decision.is_full, (&mut position, &mut offset))?;
+                self.press_by_law(law, &pair, decision.is_full, &mut position, &mut offset)?;
             }
             if let Some(records) = records {
                 offset.friction.mu *= records.of_lay;
@@ -145,11 +154,11 @@ impl Lubrication<'_> {
     /// Regime and load share in every window, solved in order.
     fn decided(
         &self,
-        of_position: (&MeshPosition, &FormulaFilm),
+        of_position: SmoothPosition<'_>,
         contacts: &[Arc<WindowContact>],
         recorded: Option<RecordedShare>,
     ) -> Result<Vec<Decided>, PositionError> {
-        let at = of_position.0;
+        let at = of_position.at;
         let count = contacts.len();
         let mut rough_film = None;
         let mut open = Vec::with_capacity(count);
@@ -168,7 +177,7 @@ impl Lubrication<'_> {
             };
             // A law of the user may depend on the heights of the window.
             let pair = match self.laws.load_share {
-                ShareLaw::Own { .. } => self.pair(at, contact, (k, count))?,
+                ShareLaw::Own { .. } => self.pair(at, contact, OffsetIndex { k, count })?,
                 _ => None,
             };
             let undecided = Undecided::new(self.case, self.laws, of_position, &contact.roughness)?;
@@ -180,7 +189,8 @@ impl Lubrication<'_> {
             undecided.conditions(
                 self.case,
                 of_position,
-                (&contact.roughness, pair.as_ref()),
+                &contact.roughness,
+                pair.as_ref(),
                 solved,
             )
         });
@@ -207,7 +217,7 @@ impl Lubrication<'_> {
         let film = plausible_film(self.case, at)?;
         let records = self.records_of_share();
         let recorded = records.map(|records| records.at(at.s, None));
-        let decided = self.decided((at, &film), contacts, recorded)?;
+        let decided = self.decided(SmoothPosition { at, film: &film }, contacts, recorded)?;
         let decisions = decided.into_iter().map(|decided| decided.decision);
         Ok((film, decisions.collect()))
     }
@@ -223,7 +233,7 @@ impl Lubrication<'_> {
     ) -> Result<PositionGradient, PositionError> {
         checkpoint()?;
         let film = plausible_film(self.case, at)?;
-        let of_position = (at, &film);
+        let of_position = SmoothPosition { at, film: &film };
         let rough = RoughFilm::at(self.case, self.laws, self.surfaces, of_position)?;
         let mut rough = rough.ok_or_else(PositionError::no_profile)?;
         let force = at.weight * at.mean_sliding() * at.load.si();
@@ -232,7 +242,7 @@ impl Lubrication<'_> {
         for contact in contacts {
             windows.push(match contact.window {
                 Some(window) => {
-                    let (gradient, of_window) = rough.window_gradient((contact, window), force)?;
+                    let (gradient, of_window) = rough.window_gradient(contact, window, force)?;
                     kinks += of_window;
                     gradient
                 }
@@ -262,7 +272,7 @@ impl Lubrication<'_> {
                 continue;
             }
             checkpoint()?;
-            let Some(pair) = self.pair(&position.at, contact, (k, count))? else {
+            let Some(pair) = self.pair(&position.at, contact, OffsetIndex { k, count })? else {
                 continue;
             };
             let pressed = self.pressed(position, k, &pair)?;
@@ -302,7 +312,8 @@ impl Lubrication<'_> {
         law: &dyn WindowPressures,
         pair: &WindowPair,
         is_full: bool,
-        (position, offset): (&mut LubricatedPosition, &mut LubricatedWindow),
+        position: &mut LubricatedPosition,
+        offset: &mut LubricatedWindow,
     ) -> Result<(), PositionError> {
         let (case, at) = (self.case, &position.at);
         let window = WindowConditions {
@@ -317,9 +328,10 @@ impl Lubrication<'_> {
             model: &case.model,
             paper: &case.paper,
         };
-        let pressed = match is_full {
-            true => Pressed::full_film(position.film_pressure(&pair.x)?),
-            false => (law.press(&window)).map_err(|error| error.keeping(&pair.x, &pair.gap))?,
+        let pressed = if is_full {
+            Pressed::full_film(position.film_pressure(&pair.x)?)
+        } else {
+            (law.press(&window)).map_err(|error| error.keeping(&pair.x, &pair.gap))?
         };
         offset.rubbing = Rubbing::of_pressures(case, pair.spacing, &pressed)?;
         if pressed.solids.is_some() {
@@ -339,7 +351,7 @@ impl Lubrication<'_> {
         &self,
         at: &MeshPosition,
         contact: &WindowContact,
-        offset: (usize, usize),
+        offset: OffsetIndex,
     ) -> Result<Option<WindowPair>, PositionError> {
         let Some(window) = contact.window else {
             return Ok(None);
@@ -353,7 +365,7 @@ impl Lubrication<'_> {
     /// of one share take it from the first of them.
     fn in_film(
         &self,
-        of_position: (&MeshPosition, &FormulaFilm),
+        of_position: SmoothPosition<'_>,
         contacts: &[Arc<WindowContact>],
         decided: &[Decided],
         full_film: Option<&FullFilm>,
@@ -404,15 +416,13 @@ impl Lubrication<'_> {
     }
 
     /// Friction coefficient of the smooth film, where records or a full film are compared with it.
-    fn smooth_friction(
-        &self,
-        position: (&MeshPosition, &FormulaFilm),
-    ) -> Result<Option<f64>, PositionError> {
+    fn smooth_friction(&self, position: SmoothPosition<'_>) -> Result<Option<f64>, PositionError> {
         let is_compared =
             self.records.is_some() || self.case.model.full_film != FullFilmName::Formulas;
-        match is_compared && self.is_film_alone() {
-            true => friction::smooth(self.case, self.laws, self.surfaces, position).map(Some),
-            false => Ok(None),
+        if is_compared && self.is_film_alone() {
+            friction::smooth(self.case, self.laws, self.surfaces, position).map(Some)
+        } else {
+            Ok(None)
         }
     }
 }

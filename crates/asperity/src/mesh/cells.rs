@@ -13,7 +13,7 @@ use asperity_case::mesh_position::Resolution;
 
 /// A place on the path of contact that represents a part of the mesh.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Place {
+pub(crate) struct CellPlace {
     /// Coordinate along the line of action from T₁.
     pub s: Length,
     /// Load per length of contact line.
@@ -30,7 +30,7 @@ pub(crate) struct Place {
     pub zone: usize,
 }
 
-impl Place {
+impl CellPlace {
     /// A place that is shown and has no weight, under the mean load over the face.
     pub(super) fn shown(
         map: &LoadMap,
@@ -59,7 +59,7 @@ pub(super) fn places(
     inputs: &MeshInputs,
     speed: AngularSpeed,
     map: &LoadMap,
-) -> Result<Vec<Place>, PositionError> {
+) -> Result<Vec<CellPlace>, PositionError> {
     match inputs.places {
         PathPlaces::Cells(count) => along_path(inputs, count, speed, map),
         PathPlaces::Single(share) => single(inputs, share, map).map(|place| vec![place]),
@@ -72,7 +72,7 @@ fn along_path(
     count: usize,
     speed: AngularSpeed,
     map: &LoadMap,
-) -> Result<Vec<Place>, PositionError> {
+) -> Result<Vec<CellPlace>, PositionError> {
     let gears = &inputs.load.gears;
     let width = gears.face_width;
     let edges: Vec<_> = inputs.face_zones.iter().map(|edge| width * *edge).collect();
@@ -85,14 +85,15 @@ fn along_path(
         .map(|(cell, is_light)| {
             let sliding = gears.kinematics(cell.s, speed)?.sliding.si();
             let at_its_place = cell.contact_length.si() * cell.load.si() * sliding.abs();
-            Ok(Place {
+            Ok(CellPlace {
                 s: cell.s,
                 load: cell.load,
                 weight: cell.contact_length,
                 sliding_factor: cell.loss_factor * power / at_its_place,
-                resolution: match is_light {
-                    true => Resolution::WhereFine,
-                    false => Resolution::Required,
+                resolution: if is_light {
+                    Resolution::WhereFine
+                } else {
+                    Resolution::Required
                 },
                 cell: cell.number,
                 zone: cell.zone,
@@ -102,12 +103,12 @@ fn along_path(
 }
 
 /// A single place, whose weight is the mean loaded length of contact line.
-fn single(inputs: &MeshInputs, share: f64, map: &LoadMap) -> Result<Place, PositionError> {
+fn single(inputs: &MeshInputs, share: f64, map: &LoadMap) -> Result<CellPlace, PositionError> {
     let gears = &inputs.load.gears;
     let path = gears.path();
     let s = path.a + (path.e - path.a) * share;
-    let place = Place::shown(map, s, Resolution::Required)?;
-    Ok(Place {
+    let place = CellPlace::shown(map, s, Resolution::Required)?;
+    Ok(CellPlace {
         weight: gears.single_position(s)?.weight,
         ..place
     })

@@ -9,7 +9,7 @@ use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::{AngularSpeed, Length, Torque};
 use asperity_gear::LoadMap;
 
-use self::cells::Place;
+use self::cells::CellPlace;
 pub(crate) use self::inputs::MeshInputs;
 use asperity_case::case::Case;
 use asperity_case::error::{Error, PositionError};
@@ -78,7 +78,7 @@ impl Mesh {
         let mut points = Vec::new();
         let named = path.named_points().into_iter();
         for (name, s) in named.filter(|(_, s)| (path.a..=path.e).contains(s)) {
-            let place = Place::shown(&self.load, s, Resolution::WhereFine)?;
+            let place = CellPlace::shown(&self.load, s, Resolution::WhereFine)?;
             if place.load.si() > 0.0 {
                 points.push((
                     name,
@@ -117,9 +117,9 @@ fn position(
     inputs: &MeshInputs,
     speed: AngularSpeed,
     number: usize,
-    place: &Place,
+    place: &CellPlace,
 ) -> Result<MeshPosition, PositionError> {
-    let Place { s, load, .. } = *place;
+    let CellPlace { s, load, .. } = *place;
     let motion = inputs.load.gears.kinematics(s, speed)?;
     Ok(MeshPosition {
         number,
@@ -141,6 +141,6 @@ fn position(
 /// When an equation refuses the numbers there, as where relief keeps the flanks apart.
 pub fn position_at(case: &Case, s: Length) -> Result<MeshPosition, PositionError> {
     let inputs = MeshInputs::from_case(case);
-    let place = Place::shown(&inputs.load.load_map()?, s, Resolution::Required)?;
+    let place = CellPlace::shown(&inputs.load.load_map()?, s, Resolution::Required)?;
     position(&inputs, case.speed, 1, &place)
 }

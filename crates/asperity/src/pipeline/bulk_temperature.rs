@@ -26,7 +26,7 @@ pub(crate) fn settle(
     seeks_hotter: bool,
 ) -> Result<OperatingCase, Error> {
     let used = Provenance::new();
-    let law = used.collect(|| Law::new(loaded, model, mesh));
+    let law = used.collect(|| EquilibriumLaw::new(loaded, model, mesh));
     let law = law.map_err(Box::new)?;
     let oil = loaded.case.stated_temperature;
     let made = |bulk: Temperature| {
@@ -36,9 +36,12 @@ pub(crate) fn settle(
             .map_err(Box::new)?;
         Ok::<_, Error>(Temperature::from_si(oil.si() + 0.5 * (pinion + wheel)))
     };
-    let found = used.collect(|| match seeks_hotter {
-        true => fixed_point(oil, made),
-        false => lowest_fixed_point(oil, made),
+    let found = used.collect(|| {
+        if seeks_hotter {
+            fixed_point(oil, made)
+        } else {
+            lowest_fixed_point(oil, made)
+        }
     })?;
     loaded.at_found(found.temperature, law.report(oil, &found), &used)
 }
@@ -52,14 +55,14 @@ pub(super) const fn rise_exponent(model: BulkModel) -> f64 {
 }
 
 /// A law with what it needs of the case.
-struct Law<'a> {
+struct EquilibriumLaw<'a> {
     loaded: &'a LoadedCase,
     model: BulkModel,
     /// Share of the heat that goes into the pinion.
     pinion: f64,
 }
 
-impl<'a> Law<'a> {
+impl<'a> EquilibriumLaw<'a> {
     fn new(
         loaded: &'a LoadedCase,
         model: BulkModel,

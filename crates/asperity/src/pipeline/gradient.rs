@@ -89,9 +89,12 @@ impl LossGradient {
             let Some(record) = &flank.preparation else {
                 return Ok(None);
             };
-            let grid = (record.points_after, record.spacing);
-            let over_prepared =
-                respaced_gradient(&self.by_height[body], grid, prepared[body].spacing());
+            let over_prepared = respaced_gradient(
+                &self.by_height[body],
+                record.points_after,
+                record.spacing,
+                prepared[body].spacing(),
+            );
             let mut measured = record.gradient(&over_prepared)?;
             if flank.mirrored {
                 measured.iter_mut().for_each(|heights| heights.reverse());
@@ -158,9 +161,10 @@ fn gradient_of(loaded: &LoadedCase, known: &[&Contacts]) -> Result<LossGradient,
     let lubrication = stages.lubrication();
     let of_position = |at| {
         let row = stages.contacts.at(at)?;
-        match row.iter().any(|contact| contact.window.is_some()) {
-            true => lubrication.gradient(at, row).map(Some),
-            false => Ok(None),
+        if row.iter().any(|contact| contact.window.is_some()) {
+            lubrication.gradient(at, row).map(Some)
+        } else {
+            Ok(None)
         }
     };
     let found = numbered(par_map(&stages.mesh.positions, of_position))?;
@@ -543,9 +547,10 @@ mod tests {
                 let bump = |middle: usize| -> Vec<f64> {
                     let value = |i: usize| {
                         let off = 2.0 * dx * (i as f64 - middle as f64) / width;
-                        match off.abs() < 1.0 {
-                            true => 0.5 * (1.0 + (std::f64::consts::PI * off).cos()),
-                            false => 0.0,
+                        if off.abs() < 1.0 {
+                            0.5 * (1.0 + (std::f64::consts::PI * off).cos())
+                        } else {
+                            0.0
                         }
                     };
                     (0..n).map(value).collect()

@@ -4,7 +4,7 @@ use asperity_core::quantity::Pressure;
 
 use super::stages::on_flanks;
 use crate::contacts::running_in::{
-    Flow, Track, WearRates, heights, plastic, rates, removed, surfaces, tracks,
+    RunInFlow, Track, WearRates, heights, plastic, rates, removed, surfaces, tracks,
 };
 use crate::mesh::Mesh;
 use crate::result::{FlankHeights, RunInStep};
@@ -70,7 +70,7 @@ pub struct History {
 }
 
 /// Case and meshes of a history.
-struct Course<'a> {
+struct HistoryCourse<'a> {
     each: &'a dyn Fn(&HistoryState),
     case: &'a OperatingCase,
     /// Mesh at the torque of the case.
@@ -95,7 +95,7 @@ pub fn history(
     } = settings.plan;
     let running = (torque != case.torque).then(|| Mesh::at_torque(case, torque));
     let running = running.transpose().map_err(Box::new)?;
-    let course = Course {
+    let course = HistoryCourse {
         each,
         case,
         mesh: &mesh,
@@ -107,14 +107,14 @@ pub fn history(
     let mut states = Vec::new();
     let is_worn = settings.worn > 0.0;
     if is_worn {
-        states.push(course.state(&found, (0.0, 0.0))?);
+        states.push(course.state(&found, [0.0; 2])?);
     }
-    let mut flow = Flow::new(case, found, settings.limit).map_err(Box::new)?;
+    let mut flow = RunInFlow::new(case, found, settings.limit).map_err(Box::new)?;
     let (steps, is_settled) = plastic(&mut flow, engagements, |steps, tracks| {
         // Every third doubling: the loss falls little in one.
         if is_worn && steps.len() % 3 == 1 {
             let at = steps.last().map_or(0.0, |step| step.engagements);
-            states.push(course.state(tracks, (at, 0.0))?);
+            states.push(course.state(tracks, [at, 0.0])?);
         }
         Ok::<_, Error>(())
     })?;
@@ -123,10 +123,10 @@ pub fn history(
     let mut made = vec![0; tracks.len()];
     let mut worn = 0.0;
     for _ in 0..=MAX_PACKAGES {
-        let at = (engagements, worn);
+        let at = [engagements, worn];
         if states
             .last()
-            .is_none_or(|(last, _)| (last.engagements, last.worn) != at)
+            .is_none_or(|(last, _)| [last.engagements, last.worn] != at)
         {
             states.push(course.state(&tracks, at)?);
         }
@@ -153,11 +153,11 @@ pub fn history(
             let of_track = track.positions.iter().map(|at| shares[at.number - 1]);
             let shares: Vec<f64> = of_track.collect();
             let (rates, count) =
-                rates((case, settings.limit), track, &shares, *made).map_err(Box::new)?;
+                rates(case, settings.limit, track, &shares, *made).map_err(Box::new)?;
             *made += count;
             all.push(rates);
         }
-        worn += package(&mut tracks, &all, (wish, most, rq)).map_err(Box::new)?;
+        worn += package(&mut tracks, &all, wish, most, rq).map_err(Box::new)?;
     }
     Ok(History {
         states: states.into_iter().map(|(state, _)| state).collect(),
@@ -171,7 +171,9 @@ pub fn history(
 fn package(
     tracks: &mut [Track<'_>],
     all: &[WearRates],
-    (wish, most, before): (f64, f64, [f64; 2]),
+    wish: f64,
+    most: f64,
+    before: [f64; 2],
 ) -> Result<f64, asperity_case::error::PositionError> {
     let mut wear = |factor: f64| -> Result<f64, asperity_case::error::PositionError> {
         for (track, rates) in tracks.iter_mut().zip(all) {
@@ -184,9 +186,10 @@ fn package(
         Ok(changes.fold(0.0, f64::max))
     };
     let change = wear(wish)?;
-    let other = match change > PACKAGE {
-        true => wish * PACKAGE / change,
-        false => (wish * LITTLE / change).clamp(wish, most),
+    let other = if change > PACKAGE {
+        wish * PACKAGE / change
+    } else {
+        (wish * LITTLE / change).clamp(wish, most)
     };
     if other != wish {
         wear(other - wish)?;
@@ -194,12 +197,12 @@ fn package(
     Ok(other)
 }
 
-impl Course<'_> {
+impl HistoryCourse<'_> {
     /// The flanks of the tracks with film and loss, and the asperity share at each mesh position, at the torque of the case.
     fn state(
         &self,
         tracks: &[Track<'_>],
-        (engagements, worn): (f64, f64),
+        [engagements, worn]: [f64; 2],
     ) -> Result<(HistoryState, Vec<f64>), Error> {
         let surfaces = surfaces(&self.case.surfaces, tracks).map_err(Box::new)?;
         let of_case = on_flanks(self.case, &surfaces, self.mesh)?;

@@ -5,7 +5,7 @@ use asperity_core::quantity::Length;
 
 use super::stages::Stages;
 use crate::contacts::Contacts;
-use crate::lubrication::RoughFilm;
+use crate::lubrication::{RoughFilm, SmoothPosition};
 use asperity_case::case::OperatingCase;
 use asperity_case::error::{Error, PositionError};
 
@@ -33,7 +33,8 @@ pub(crate) struct OverGap {
 /// # Errors
 /// When a contact has no solution.
 pub(crate) fn over_gap(
-    (case, contacts): (&OperatingCase, &Contacts),
+    case: &OperatingCase,
+    contacts: &Contacts,
     number: usize,
     gaps: Option<&[Length]>,
 ) -> Result<Option<OverGap>, Error> {
@@ -69,7 +70,10 @@ fn at_position(
         }
         if lubrication.surfaces.begins_a_pair(k, count) {
             let (of_pair, ..) = lubrication.surfaces.met(at.zone, k, count);
-            let of_position = (at, &position.film);
+            let of_position = SmoothPosition {
+                at,
+                film: &position.film,
+            };
             film = RoughFilm::at(lubrication.case, lubrication.laws, of_pair, of_position)?;
         }
         let Some(film) = &mut film else {

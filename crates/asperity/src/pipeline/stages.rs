@@ -18,7 +18,7 @@ use crate::assembly::{Solved, equations_used, sources_used, warnings_of_case};
 use crate::contacts::running_in;
 use crate::contacts::{ContactInputs, Contacts, Offsets, WindowContact};
 use crate::lubrication::{
-    ChosenLaws, LubricatedPosition, LubricatedWindow, Lubrication, check_mesh_position,
+    ChosenLaws, LubricatedMesh, LubricatedPosition, LubricatedWindow, check_mesh_position,
     plausible_film, records_of,
 };
 use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
@@ -126,11 +126,12 @@ fn with_offsets(loaded: &LoadedCase, offsets: usize) -> Result<Cow<'_, LoadedCas
 pub(crate) fn losses_at(contacts: &Contacts, case: &OperatingCase) -> Result<Losses, Error> {
     contacts.check(case).map_err(Box::new)?;
     let used = Provenance::new();
-    let case = match contacts.offsets() == case.model.offsets {
-        true => Cow::Borrowed(case),
-        false => Cow::Owned(case.overridden(|over| over.offsets = Some(contacts.offsets()))?),
+    let case = if contacts.offsets() == case.model.offsets {
+        Cow::Borrowed(case)
+    } else {
+        Cow::Owned(case.overridden(|over| over.offsets = Some(contacts.offsets()))?)
     };
-    losses_of_stages((&case, contacts), &|_, _| {}, used)
+    losses_of_stages(&case, contacts, &|_, _| {}, used)
 }
 
 /// The case at its bulk temperature, stated or in equilibrium with its loss.
@@ -167,11 +168,12 @@ pub(crate) fn losses_of(loaded: &LoadedCase, options: &Options<'_>) -> Result<Lo
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(loaded, &options.known))?;
     let warmed = warmed(&sampled, &contacts, options.seeks_hotter)?;
-    losses_of_stages((&warmed, &contacts), options.progress, used)
+    losses_of_stages(&warmed, &contacts, options.progress, used)
 }
 
 fn losses_of_stages(
-    (case, contacts): (&OperatingCase, &Contacts),
+    case: &OperatingCase,
+    contacts: &Contacts,
     progress: Progress<'_>,
     used: Provenance,
 ) -> Result<Losses, Error> {
@@ -206,9 +208,10 @@ pub(crate) fn outcome(
         position.doubts.extend(doubts.cloned());
     }
     let mut outcome = stages.summed(|| {
-        let points = match has_points {
-            true => stages.points()?,
-            false => Vec::new(),
+        let points = if has_points {
+            stages.points()?
+        } else {
+            Vec::new()
         };
         stages.solved(positions)?.outcome(pictures, &points)
     })?;
@@ -355,8 +358,8 @@ impl<'a> Stages<'a> {
         numbered(self.used.collect(|| par_map(positions, work)))
     }
 
-    pub fn lubrication(&self) -> Lubrication<'_> {
-        Lubrication {
+    pub fn lubrication(&self) -> LubricatedMesh<'_> {
+        LubricatedMesh {
             case: self.case,
             laws: &self.laws,
             surfaces: &self.case.surfaces,
@@ -493,9 +496,10 @@ impl RunInSteps {
 
     /// Steps after `measured`, the steps of the flanks as measured: the cycles, and the flanks run in.
     fn after(&self, measured: usize) -> usize {
-        match self.0 {
-            true => running_in::MAX_STEPS + measured,
-            false => 0,
+        if self.0 {
+            running_in::MAX_STEPS + measured
+        } else {
+            0
         }
     }
 }

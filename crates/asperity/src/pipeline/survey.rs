@@ -54,17 +54,13 @@ pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
         let (film, decisions) = stages
             .lubrication()
             .decisions(at, stages.contacts.at(at)?)?;
-        Ok(row(case, at, (&film, &decisions)))
+        Ok(row(case, at, &film, &decisions))
     });
     let rows: Result<_, PositionError> = rows.collect();
     rows.map_err(|error| Error::Whole(Box::new(error)))
 }
 
-fn row(
-    case: &Case,
-    at: &MeshPosition,
-    (film, decisions): (&FormulaFilm, &[Decision]),
-) -> RegimeRow {
+fn row(case: &Case, at: &MeshPosition, film: &FormulaFilm, decisions: &[Decision]) -> RegimeRow {
     let path = case.gears.path();
     let over = |of: &dyn Fn(&Decision) -> f64| mean(decisions.iter().map(of));
     RegimeRow {

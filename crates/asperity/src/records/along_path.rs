@@ -144,9 +144,10 @@ impl PathRecords {
         let [low, high] = [between.low, between.high].map(|k| &self.places[k].record);
         // Windows differ where one is at light load; nodes of the narrower one lie in both.
         let inlet = |record: &PathRecord| record.x.first().copied().unwrap_or(0.0);
-        let x = match inlet(low) > inlet(high) {
-            true => &low.x,
-            false => &high.x,
+        let x = if inlet(low) > inlet(high) {
+            &low.x
+        } else {
+            &high.x
         };
         let mixed = |of: fn(&PathRecord) -> &Vec<f64>| {
             let [a, b] = [low, high].map(|record| on_nodes(x, &record.x, of(record)));

@@ -173,9 +173,10 @@ impl PathRecord {
         if self.smooth_friction <= 0.0 {
             return 1.0;
         }
-        let whole = match phi < 1.0 {
-            true => (self.stepped_friction.mean - phi * boundary_friction) / (1.0 - phi),
-            false => self.film_friction,
+        let whole = if phi < 1.0 {
+            (self.stepped_friction.mean - phi * boundary_friction) / (1.0 - phi)
+        } else {
+            self.film_friction
         };
         0.5 * (self.film_friction + whole) / self.smooth_friction
     }

@@ -179,13 +179,14 @@ impl ReferenceContact {
             boundary_friction: case.model.boundary_friction,
             boundary_layer: case.model.boundary_layer,
         });
-        record.heat = match settings.with_heat {
-            true => Some(RecordHeat {
+        record.heat = if settings.with_heat {
+            Some(RecordHeat {
                 rheology: rheology.with_constants(constants)?,
                 bulk: case.temperature(),
                 bodies: case.materials,
-            }),
-            false => None,
+            })
+        } else {
+            None
         };
         let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
         record.ceiling = Some(PlasticCeiling {

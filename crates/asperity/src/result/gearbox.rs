@@ -64,8 +64,9 @@ impl GearboxPart {
     /// A part by its kind and law, with the torque at its shaft and the speed of the shaft.
     pub(crate) fn new(
         name: &str,
-        (kind, law): (&str, &str),
-        (torque, speed): (Torque, AngularSpeed),
+        [kind, law]: [&str; 2],
+        torque: Torque,
+        speed: AngularSpeed,
         outside: &[OutOfRange],
     ) -> Self {
         Self {

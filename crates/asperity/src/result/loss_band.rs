@@ -77,7 +77,7 @@ pub struct EvidenceRow {
 impl EvidenceRow {
     /// The row of a measurement that takes `hours` and leaves `left` of the present interval `now`.
     #[must_use]
-    pub fn new((key, words, hours): (&str, String, f64), now: Quantiles, left: Quantiles) -> Self {
+    pub fn new(key: &str, words: String, hours: f64, now: Quantiles, left: Quantiles) -> Self {
         let moved = now.drawn.value / left.drawn.value;
         let [low_w, high_w] = left.drawn.ends().map(|end| moved * end);
         Self {
@@ -283,9 +283,10 @@ impl AlternativeRow {
     /// The evidence against the model, or that it is drawn.
     #[must_use]
     pub fn standing(&self) -> &str {
-        match self.refuted_by.is_empty() {
-            true => "sampled: part of the interval",
-            false => &self.refuted_by,
+        if self.refuted_by.is_empty() {
+            "sampled: part of the interval"
+        } else {
+            &self.refuted_by
         }
     }
 }
@@ -500,9 +501,10 @@ impl Digits {
     /// The same of an interval of this half width.
     #[must_use]
     pub fn of_uncertainty(half_width: f64) -> Self {
-        let decimals = match half_width.is_finite() && half_width > 0.0 {
-            true => (-(0.2 * half_width).log10().floor() as i32).min(Self::MOST),
-            false => Self::MOST,
+        let decimals = if half_width.is_finite() && half_width > 0.0 {
+            (-(0.2 * half_width).log10().floor() as i32).min(Self::MOST)
+        } else {
+            Self::MOST
         };
         Self { decimals }
     }
@@ -657,9 +659,12 @@ impl Digits {
     #[must_use]
     pub fn texts_of_parts(self, total: f64, parts: &[f64]) -> Vec<String> {
         let steps = self.parts(self.steps(total), parts);
-        let text = |(steps, part): (f64, &f64)| match steps == 0.0 && *part > 0.0 {
-            true => format!("< {}", self.last_place()),
-            false => self.text(steps),
+        let text = |(steps, part): (f64, &f64)| {
+            if steps == 0.0 && *part > 0.0 {
+                format!("< {}", self.last_place())
+            } else {
+                self.text(steps)
+            }
         };
         steps.into_iter().zip(parts).map(text).collect()
     }
@@ -687,10 +692,12 @@ impl Digits {
         let rounded = digits.parts(digits.steps(100.0), &shares);
         let one = digits.text((100.0 / total / digits.step()).ceil());
         let texts = rounded.into_iter().zip(steps.iter().zip(parts));
-        let text = |(share, (steps, part)): (f64, (&f64, &f64))| match *steps == 0.0 && *part > 0.0
-        {
-            true => format!("< {one}"),
-            false => digits.text(share),
+        let text = |(share, (steps, part)): (f64, (&f64, &f64))| {
+            if *steps == 0.0 && *part > 0.0 {
+                format!("< {one}")
+            } else {
+                digits.text(share)
+            }
         };
         texts.map(text).collect()
     }

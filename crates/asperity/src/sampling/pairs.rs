@@ -71,9 +71,10 @@ pub fn pair_sampling(losses: &[f64], teeth: [usize; 2]) -> Option<PairSampling> 
     let square = parts[0] / rows + parts[1] / columns + residual / (rows * columns);
     let standard_error_w = square.sqrt();
     let freedom = freedom([v1 / rows, v2 / columns], teeth);
-    let half_width_w = match standard_error_w > 0.0 {
-        true => student_t_quantile(CONFIDENCE, freedom) * standard_error_w,
-        false => 0.0,
+    let half_width_w = if standard_error_w > 0.0 {
+        student_t_quantile(CONFIDENCE, freedom) * standard_error_w
+    } else {
+        0.0
     };
     Some(PairSampling {
         traces: teeth,
@@ -104,17 +105,17 @@ pub(crate) fn sampling_of_teeth(values: &[f64], surfaces: &Surfaces) -> Option<P
     cite!("Given-traces");
     let errors =
         [0, 1].map(|body: usize| found.between_w[body] / (found.traces[body] as f64).sqrt());
-    let square = match is_same {
-        true => (errors[0] + errors[1]).powi(2),
-        false => {
-            let of_given = errors.iter().zip(flanks).filter(|(_, is_made)| *is_made);
-            of_given.map(|(error, _)| error * error).sum()
-        }
+    let square = if is_same {
+        (errors[0] + errors[1]).powi(2)
+    } else {
+        let of_given = errors.iter().zip(flanks).filter(|(_, is_made)| *is_made);
+        of_given.map(|(error, _)| error * error).sum()
     };
     let standard_error_w = (found.standard_error_w.powi(2) + square).sqrt();
-    let wider = match found.standard_error_w > 0.0 {
-        true => standard_error_w / found.standard_error_w,
-        false => 1.0,
+    let wider = if found.standard_error_w > 0.0 {
+        standard_error_w / found.standard_error_w
+    } else {
+        1.0
     };
     Some(PairSampling {
         standard_error_w,
@@ -270,9 +271,10 @@ mod tests {
             let given = flanks(0.0);
             let of_pinion = given.iter().sum::<f64>() / n as f64;
             let other = flanks(0.0);
-            let of_wheel = match is_same {
-                true => of_pinion,
-                false => other.iter().sum::<f64>() / n as f64,
+            let of_wheel = if is_same {
+                of_pinion
+            } else {
+                other.iter().sum::<f64>() / n as f64
             };
             let (rows, columns) = (flanks(of_pinion), flanks(of_wheel));
             let pairs = rows

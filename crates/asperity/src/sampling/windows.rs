@@ -31,14 +31,14 @@ const PRIOR: [f64; 2] = [0.5, 4.0];
 
 /// Scatter of the losses of positions over the offsets, over the loss of all.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Scatter {
+pub(crate) struct LossScatter {
     /// Σ d_i² over (Σ P_i)².
     pub squares: f64,
     /// Σ d_i over Σ P_i.
     pub sum: f64,
 }
 
-impl Scatter {
+impl LossScatter {
     /// Of the loss of each position and its standard deviation.
     pub fn from_positions(positions: impl Iterator<Item = [f64; 2]>) -> Self {
         let add = |[loss, squares, sum]: [f64; 3], [of_one, deviation]: [f64; 2]| {
@@ -49,12 +49,13 @@ impl Scatter {
             ]
         };
         let [loss, squares, sum] = positions.fold([0.0; 3], add);
-        match loss > 0.0 {
-            true => Self {
+        if loss > 0.0 {
+            Self {
                 squares: squares / (loss * loss),
                 sum: sum / loss,
-            },
-            false => Self::default(),
+            }
+        } else {
+            Self::default()
         }
     }
 }
@@ -85,9 +86,10 @@ fn free_way(surfaces: &Surfaces, window: f64, half_width: Length) -> Option<Leng
 pub fn independent_windows(free: Length, half_width: Length) -> f64 {
     cite!("Effective-windows");
     let (way, width) = (free.si(), AVERAGING_WIDTH * half_width.si());
-    match way > width && width > 0.0 {
-        true => (way / (width * (1.0 - width / (3.0 * way)))).max(1.0),
-        false => 1.0,
+    if way > width && width > 0.0 {
+        (way / (width * (1.0 - width / (3.0 * way)))).max(1.0)
+    } else {
+        1.0
     }
 }
 
@@ -174,10 +176,12 @@ pub fn window_sampling(
     asperity_share: f64,
 ) -> WindowSampling {
     cite!("Sampling-error");
-    let scatter = Scatter::from_positions(positions.iter().copied());
+    let scatter = LossScatter::from_positions(positions.iter().copied());
     let numerical = (scatter.squares / offsets as f64).sqrt();
     sampling(
-        (offsets, COMMON * scatter.sum, numerical),
+        offsets,
+        COMMON * scatter.sum,
+        numerical,
         independent,
         asperity_share,
     )
@@ -186,18 +190,21 @@ pub fn window_sampling(
 /// Sampling error of a mean over `passed` independent windows that has the standard error `numerical_error` for traces that never
 /// end, on traces with `windows` windows.
 pub(crate) fn travel_sampling(
-    (passed, numerical_error): (usize, f64),
+    passed: usize,
+    numerical_error: f64,
     windows: f64,
     asperity_share: f64,
 ) -> WindowSampling {
     let own = numerical_error * (passed as f64).sqrt();
     let independent = Independent::of_traces(windows);
-    sampling((passed, own, numerical_error), independent, asperity_share)
+    sampling(passed, own, numerical_error, independent, asperity_share)
 }
 
 /// The sampling error where windows scatter by `own`, of which the prior is a part.
 fn sampling(
-    (offsets, own, numerical_error): (usize, f64, f64),
+    offsets: usize,
+    own: f64,
+    numerical_error: f64,
     independent: Independent,
     asperity_share: f64,
 ) -> WindowSampling {
@@ -221,12 +228,12 @@ mod tests {
 
     #[test]
     fn positions_add_their_scatters_and_their_squares() {
-        let found = Scatter::from_positions([[3.0, 0.3], [1.0, 0.4]].into_iter());
+        let found = LossScatter::from_positions([[3.0, 0.3], [1.0, 0.4]].into_iter());
         assert!((found.sum - 0.7 / 4.0).abs() < 1e-15);
         assert!((found.squares - 0.25 / 16.0).abs() < 1e-15);
         assert_eq!(
-            Scatter::from_positions(std::iter::empty()),
-            Scatter::default()
+            LossScatter::from_positions(std::iter::empty()),
+            LossScatter::default()
         );
     }
 

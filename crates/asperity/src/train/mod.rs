@@ -358,9 +358,10 @@ pub(crate) fn losses(loaded: &Train, options: &Options<'_>) -> Result<TrainLosse
     let mut drawn = Vec::new();
     for case in settled.cases() {
         // Contacts are solved once for the losses and their draws.
-        let contacts = match options.interval && has_band(case) {
-            true => Some(pipeline::contacts(case, &options.known)?),
-            false => None,
+        let contacts = if options.interval && has_band(case) {
+            Some(pipeline::contacts(case, &options.known)?)
+        } else {
+            None
         };
         let of_mesh = Options {
             known: options.known.iter().copied().chain(&contacts).collect(),
@@ -586,12 +587,13 @@ pub(crate) fn check(train: &Train) -> Result<Vec<Warning>, Error> {
     let of_loaded = train.meshes().flat_map(|mesh| &mesh.case.warnings);
     let mut warnings: Vec<Warning> = train.warnings.iter().chain(of_loaded).cloned().collect();
     for (mesh, own) in train.meshes().zip(&found) {
-        let named = own.iter().map(
-            |warning| match found.iter().all(|of| of.contains(warning)) {
-                true => warning.clone(),
-                false => warning.with(&format!(" [{}]", mesh.name)),
-            },
-        );
+        let named = own.iter().map(|warning| {
+            if found.iter().all(|of| of.contains(warning)) {
+                warning.clone()
+            } else {
+                warning.with(&format!(" [{}]", mesh.name))
+            }
+        });
         warnings.extend(named);
     }
     let gearbox = gearbox_without_losses(train).map_err(|error| Error::Whole(Box::new(error)))?;
@@ -609,12 +611,13 @@ fn gearbox_without_losses(train: &Train) -> Result<Option<GearboxReport>, Positi
 
 /// The case of a mesh at another load.
 fn at_load(case: &LoadedCase, load: MeshLoad) -> Result<LoadedCase, Error> {
-    match MeshLoad::from_case(&case.case) == load {
-        true => Ok(case.clone()),
-        false => case.with(|input| {
+    if MeshLoad::from_case(&case.case) == load {
+        Ok(case.clone())
+    } else {
+        case.with(|input| {
             input.operation.torque = load.torque;
             input.operation.speed = load.speed;
-        }),
+        })
     }
 }
 

@@ -111,7 +111,8 @@ impl ChangeDraws {
     #[must_use]
     pub fn quantiles(
         &self,
-        (loaded, base): (&LoadedCase, &Losses),
+        loaded: &LoadedCase,
+        base: &Losses,
         by_window: &[f64],
         by_lay: [f64; 2],
     ) -> [f64; 2] {
@@ -146,9 +147,10 @@ pub fn sampling_interval(
     const CONFIDENCE: f64 = 0.90;
     let mean = mean(differences.iter().copied());
     let [error, freedom] = sampling_error_of_changes(loaded, &base.path, differences)?;
-    let half = match error > 0.0 {
-        true => error * student_t_quantile(CONFIDENCE, freedom),
-        false => 0.0,
+    let half = if error > 0.0 {
+        error * student_t_quantile(CONFIDENCE, freedom)
+    } else {
+        0.0
     };
     Some([mean - half, mean + half])
 }

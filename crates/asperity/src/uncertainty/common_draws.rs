@@ -43,7 +43,7 @@ pub type DrawnCase<'a> = (&'a LoadedCase, &'a Predictive);
 
 /// Relation of the traces of two runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Traces {
+pub(super) enum CommonTraces {
     /// As the cases state them.
     AsStated,
     /// Of one place before and after a test, with the concordance of their heights.
@@ -77,7 +77,7 @@ pub fn common_draws(
     flanks: &[usize],
     other: &[DrawnCase<'_>],
 ) -> [Vec<Common>; 2] {
-    common_by(first, flanks, other, Traces::AsStated)
+    common_by(first, flanks, other, CommonTraces::AsStated)
 }
 
 /// The same with a relation of their traces.
@@ -85,11 +85,11 @@ pub(super) fn common_by(
     first: &[DrawnCase<'_>],
     flanks: &[usize],
     other: &[DrawnCase<'_>],
-    traces: Traces,
+    traces: CommonTraces,
 ) -> [Vec<Common>; 2] {
     let is_same = |known: &DrawnCase<'_>, own: &DrawnCase<'_>| match traces {
-        Traces::AsStated => known.0.has_teeth_of(own.0),
-        Traces::OfOnePlace(_) => true,
+        CommonTraces::AsStated => known.0.has_teeth_of(own.0),
+        CommonTraces::OfOnePlace(_) => true,
     };
     let mut of_other: Vec<Common> = Vec::with_capacity(other.len());
     for (k, own) in other.iter().enumerate() {
@@ -101,9 +101,12 @@ pub(super) fn common_by(
         let most = |of: &dyn Fn(&DrawnCase<'_>) -> f64, all: &[&DrawnCase<'_>]| {
             all.iter().map(|known| of(known)).fold(0.0, f64::max)
         };
-        let of_flanks = |of: &dyn Fn(&DrawnCase<'_>) -> f64| match same.is_empty() {
-            true => 1.0,
-            false => most(of, &same),
+        let of_flanks = |of: &dyn Fn(&DrawnCase<'_>) -> f64| {
+            if same.is_empty() {
+                1.0
+            } else {
+                most(of, &same)
+            }
         };
         let all: Vec<&DrawnCase<'_>> = first.iter().collect();
         of_other.push(Common {
@@ -135,7 +138,7 @@ pub(super) fn common_by(
 }
 
 /// The draws of the constants of a mesh in common with the meshes of the other run.
-fn of_constants(own: DrawnCase<'_>, others: &[DrawnCase<'_>], traces: Traces) -> Common {
+fn of_constants(own: DrawnCase<'_>, others: &[DrawnCase<'_>], traces: CommonTraces) -> Common {
     let mut common = Common::from(0);
     for kind in UncertainParameter::ALL {
         let place = kind as usize;
@@ -195,9 +198,12 @@ pub(crate) fn common_constants(
             )
         })
         .collect();
-    let of_flanks = |of: &dyn Fn(&Common) -> f64| match theirs.flanks == own.flanks {
-        true => least(of),
-        false => 0.0,
+    let of_flanks = |of: &dyn Fn(&Common) -> f64| {
+        if theirs.flanks == own.flanks {
+            least(of)
+        } else {
+            0.0
+        }
     };
     let further = [
         (
@@ -257,7 +263,12 @@ fn thing_of(kind: UncertainParameter, of: &Predictive) -> &'static str {
 }
 
 /// ρ of a constant of two meshes.
-fn likeness(kind: UncertainParameter, a: DrawnCase<'_>, b: DrawnCase<'_>, traces: Traces) -> f64 {
+fn likeness(
+    kind: UncertainParameter,
+    a: DrawnCase<'_>,
+    b: DrawnCase<'_>,
+    traces: CommonTraces,
+) -> f64 {
     use UncertainParameter as P;
     let (own, theirs) = (&a.0.case, &b.0.case);
     let is_same = match (measured(kind, a.1), measured(kind, b.1)) {
@@ -266,14 +277,14 @@ fn likeness(kind: UncertainParameter, a: DrawnCase<'_>, b: DrawnCase<'_>, traces
         }
         (Some(Measured::OilFile), Some(Measured::OilFile)) => own.oil_file == theirs.oil_file,
         (Some(Measured::Surfaces), Some(Measured::Surfaces)) => {
-            traces != Traces::AsStated || a.0.has_teeth_of(b.0)
+            traces != CommonTraces::AsStated || a.0.has_teeth_of(b.0)
         }
         (None, None) => match kind {
             P::BoundaryFriction | P::BoundaryLayer => {
                 return of_oils(a.0, b.0, 0.0) * of_steels(a.0, b.0);
             }
             P::Lay => {
-                let is_one = || traces != Traces::AsStated || a.0.has_teeth_of(b.0);
+                let is_one = || traces != CommonTraces::AsStated || a.0.has_teeth_of(b.0);
                 a.0.flank_lays() == b.0.flank_lays() || is_one()
             }
             P::TemperatureError => {
@@ -313,12 +324,13 @@ fn of_oils(a: &LoadedCase, b: &LoadedCase, of_family: f64) -> f64 {
     let of_family = if family.is_some() { of_family } else { 0.0 };
     let name = |of: &LoadedCase| of.case.input.lubricant.oil.clone();
     let is_named_same = name(a) == name(b) || own.lubricant.is_oil_of(&theirs.lubricant);
-    let k = match is_named_same && own.oil_file == theirs.oil_file {
-        true => falling(
+    let k = if is_named_same && own.oil_file == theirs.oil_file {
+        falling(
             OF_GRADE,
             own.lubricant.viscosity_distance(&theirs.lubricant),
-        ),
-        false => 0.0,
+        )
+    } else {
+        0.0
     };
     k + (1.0 - k) * of_family
 }
@@ -369,7 +381,7 @@ fn of_teeth(a: &LoadedCase, b: &LoadedCase) -> f64 {
 }
 
 /// ρ of the error of the model on the same teeth, at most the concordance of heights before and after a test.
-fn of_model(a: &Predictive, b: &Predictive, traces: Traces) -> f64 {
+fn of_model(a: &Predictive, b: &Predictive, traces: CommonTraces) -> f64 {
     let conditions = |of: &Predictive| {
         let film = of.film_m;
         let roughness = of
@@ -380,17 +392,18 @@ fn of_model(a: &Predictive, b: &Predictive, traces: Traces) -> f64 {
     };
     let by_conditions = model_correlation(MODEL_LENGTHS, conditions(a), conditions(b));
     match traces {
-        Traces::AsStated => by_conditions,
-        Traces::OfOnePlace(concordance) => by_conditions.min(concordance.max(0.0)),
+        CommonTraces::AsStated => by_conditions,
+        CommonTraces::OfOnePlace(concordance) => by_conditions.min(concordance.max(0.0)),
     }
 }
 
 /// ρ of the sampling of the same teeth: the correlation of the losses at the offsets that both have; 1 if they leave none.
 fn of_sampling(a: &Predictive, b: &Predictive) -> f64 {
     let (own, theirs): (Vec<f64>, Vec<f64>) = a.by_offset_w.iter().zip(&b.by_offset_w).unzip();
-    match own.len() > 2 {
-        true => correlation(&own, &theirs).map_or(1.0, |rho| rho.max(0.0)),
-        false => 1.0,
+    if own.len() > 2 {
+        correlation(&own, &theirs).map_or(1.0, |rho| rho.max(0.0))
+    } else {
+        1.0
     }
 }
 

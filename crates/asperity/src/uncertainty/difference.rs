@@ -8,7 +8,7 @@ use asperity_case::error::Error;
 use asperity_core::{Estimate, EstimateKeys, estimate_keys};
 use asperity_uncertainty::{Common, Predictive, Watts, median_with_ends};
 
-use super::common_draws::{CommonConstant, DrawnCase, Traces, common_by, common_constants};
+use super::common_draws::{CommonConstant, CommonTraces, DrawnCase, common_by, common_constants};
 use super::evaluations::at_losses;
 
 /// Probability from which the sign of a difference holds.
@@ -65,9 +65,10 @@ impl Verdict {
         let disagrees = |row: &&AlternativeRow| row.loss_w.is_some_and(|d| d * watts.value <= 0.0);
         let others = models.iter().filter(disagrees);
         let others: Vec<String> = others.map(|row| row.name.clone()).collect();
-        match others.is_empty() {
-            true => Self::Holds,
-            false => Self::Except(others),
+        if others.is_empty() {
+            Self::Holds
+        } else {
+            Self::Except(others)
         }
     }
 }
@@ -125,20 +126,21 @@ pub fn losses_of_meshes(meshes: &[DrawnMesh<'_>]) -> Vec<f64> {
 /// draws, so that the order of the two changes the sign of their difference only.
 #[must_use]
 pub fn beside<'a>(first: Vec<DrawnMesh<'a>>, other: Vec<DrawnMesh<'a>>) -> [Vec<DrawnMesh<'a>>; 2] {
-    beside_by(first, other, Traces::AsStated)
+    beside_by(first, other, CommonTraces::AsStated)
 }
 
 fn beside_by<'a>(
     first: Vec<DrawnMesh<'a>>,
     other: Vec<DrawnMesh<'a>>,
-    traces: Traces,
+    traces: CommonTraces,
 ) -> [Vec<DrawnMesh<'a>>; 2] {
     let at_medians =
         |meshes: &[DrawnMesh<'_>]| -> f64 { meshes.iter().map(DrawnMesh::at_medians_w).sum() };
     let is_swapped = at_medians(&other) > at_medians(&first);
-    let mut both = match is_swapped {
-        true => [other, first],
-        false => [first, other],
+    let mut both = if is_swapped {
+        [other, first]
+    } else {
+        [first, other]
     };
     let [base, beside] = both
         .each_ref()
@@ -184,7 +186,7 @@ pub fn difference_of_places(
     other: MeshResult<'_>,
     concordance: f64,
 ) -> PairedDifference {
-    let traces = Traces::OfOnePlace(concordance);
+    let traces = CommonTraces::OfOnePlace(concordance);
     let [first, other] = beside_by(vec![single(first)], vec![single(other)], traces);
     difference_of_meshes(&first, &other)
 }
@@ -193,7 +195,7 @@ pub fn difference_of_places(
 #[must_use]
 pub fn change_between(first: DrawnCase<'_>, changed: DrawnCase<'_>) -> Estimate {
     asperity_core::cite!("Paired-difference");
-    let common = common_by(&[first], &[0], &[changed], Traces::AsStated);
+    let common = common_by(&[first], &[0], &[changed], CommonTraces::AsStated);
     let of = |drawn: &Predictive, common: &[Common]| {
         let mut total = vec![0.0; Predictive::count()];
         for common in common {
@@ -212,7 +214,8 @@ pub fn change_between(first: DrawnCase<'_>, changed: DrawnCase<'_>) -> Estimate 
 /// As [`Run::losses`](crate::Run::losses).
 pub fn change_of(
     first: DrawnCase<'_>,
-    (changed, losses): (&LoadedCase, &Losses),
+    changed: &LoadedCase,
+    losses: &Losses,
 ) -> Result<Estimate, Error> {
     let drawn = at_losses(&changed.at_stated()?, losses, first.1)?;
     Ok(change_between(first, (changed, &drawn)))

@@ -122,7 +122,7 @@ impl<'a> Windows<'a> {
 }
 
 /// The draws of a case, and what only its own result shows of them.
-pub(super) struct Evaluated {
+pub(super) struct EvaluatedLosses {
     pub predictive: Predictive,
     /// ln of the sliding loss of each position over that at the medians.
     pub of_positions: Vec<QuadraticSurface>,
@@ -164,21 +164,22 @@ pub(super) fn by_contacts(
     nominal: &Nominal<'_>,
     contacts: Windows<'_>,
     done: &(dyn Fn(usize) + Sync),
-) -> Result<Evaluated, Error> {
+) -> Result<EvaluatedLosses, Error> {
     let (constants, held) = parameters(loaded).map_err(whole)?;
     let Windows { contacts, offsets } = contacts;
     let base_case = few_offsets(loaded, offsets)?;
     let each = base_case.case.model.offsets;
-    let few = match loaded.surfaces.is_surrogate() {
-        true => contacts.of_first_pair(&base_case).first(each),
-        false => contacts.first(each),
+    let few = if loaded.surfaces.is_surrogate() {
+        contacts.of_first_pair(&base_case).first(each)
+    } else {
+        contacts.first(each)
     };
     let mut predictive = at_medians(loaded, nominal, constants)?;
     let mut of_positions = Vec::new();
     // Without sliding there is no ratio.
     if !predictive.constants.is_empty() && nominal.summary.sliding_w > 0.0 {
         let constants = predictive.constants.clone();
-        let base = Base {
+        let base = EvaluationBase {
             loaded: &base_case,
             constants: &constants,
             contacts: Windows {
@@ -190,7 +191,7 @@ pub(super) fn by_contacts(
         };
         of_positions = Fits::new(base)?.enter(loaded, &mut predictive)?;
     }
-    Ok(Evaluated {
+    Ok(EvaluatedLosses {
         predictive,
         of_positions,
         held,
@@ -208,7 +209,7 @@ fn at_medians(
     nominal: &Nominal<'_>,
     constants: Vec<Ranged>,
 ) -> Result<Predictive, Error> {
-    let path = Path::from_rows(nominal.path);
+    let path = PathLosses::from_rows(nominal.path);
     let summary = nominal.summary;
     let others_w = summary.loss_w - summary.sliding_w - summary.rolling_w;
     Ok(Predictive {
@@ -270,7 +271,7 @@ pub(super) fn at_losses(
 
 /// Losses at other constants, to which surfaces are fitted.
 struct Fits<'a> {
-    base: Base<'a>,
+    base: EvaluationBase<'a>,
     /// Places of the constants, and the losses there.
     fitted: Vec<Vec<f64>>,
     found: Vec<Losses>,
@@ -279,7 +280,7 @@ struct Fits<'a> {
 }
 
 impl<'a> Fits<'a> {
-    fn new(base: Base<'a>) -> Result<Self, Error> {
+    fn new(base: EvaluationBase<'a>) -> Result<Self, Error> {
         let dimensions = base.constants.len();
         let fitted = base.places(QuadraticSurface::evaluations(dimensions), SEED);
         let middle = base.at(&vec![0.0; dimensions], None)?;
@@ -307,8 +308,9 @@ impl<'a> Fits<'a> {
         predictive: &mut Predictive,
     ) -> Result<Vec<QuadraticSurface>, Error> {
         let middle = &self.middle;
-        let share =
-            |losses: &Losses| Path::from_rows(&losses.path).asperity_share - path_share(middle);
+        let share = |losses: &Losses| {
+            PathLosses::from_rows(&losses.path).asperity_share - path_share(middle)
+        };
         predictive.sliding = self.fit(&|losses| self.ratio(losses));
         predictive.share = self.fit(&share);
         let temperature = UncertainParameter::TemperatureError;
@@ -342,7 +344,7 @@ impl<'a> Fits<'a> {
             return Ok(None);
         };
         let (by_other, _) = parameters(&other.case).map_err(whole)?;
-        let base = Base {
+        let base = EvaluationBase {
             loaded: &other.case,
             constants: &by_other,
             contacts: self.base.contacts,
@@ -381,16 +383,18 @@ impl<'a> Fits<'a> {
         let (base, middle) = (&self.base, &self.middle);
         if draws_inner_boundary(loaded) {
             let ratio = |losses: &Losses| self.ratio(losses);
-            let run = (&ratio as &dyn Fn(&Losses) -> f64, middle.summary.boundary_w);
-            predictive.inner_boundary = Some(inner_boundary(base, run, surface)?);
+            let boundary_w = middle.summary.boundary_w;
+            let found = inner_boundary(base, &ratio, boundary_w, surface)?;
+            predictive.inner_boundary = Some(found);
         }
         let is_held = |note: &OutsideInput| note.correlation == GUPTA_HELD;
         if middle.outside.iter().any(is_held) {
             let printed = base.loaded.overridden(|over| over.printed_thermal = true)?;
             let found = evaluated(&printed, Some(base.contacts.contacts))?;
-            let rolling = match middle.summary.rolling_w > 0.0 {
-                true => found.summary.rolling_w / middle.summary.rolling_w,
-                false => 1.0,
+            let rolling = if middle.summary.rolling_w > 0.0 {
+                found.summary.rolling_w / middle.summary.rolling_w
+            } else {
+                1.0
             };
             predictive.held_thermal = Some([self.ratio(&found).exp(), rolling]);
         }
@@ -430,9 +434,10 @@ impl Fits<'_> {
 
 /// A case with the offsets and surrogates of the evaluations: a ratio of losses needs few, whatever the case states.
 fn few_offsets(loaded: &OperatingCase, offsets: usize) -> Result<OperatingCase, Error> {
-    let few = match loaded.surfaces.is_surrogate() {
-        true => loaded.first_pair(),
-        false => loaded.clone(),
+    let few = if loaded.surfaces.is_surrogate() {
+        loaded.first_pair()
+    } else {
+        loaded.clone()
     };
     let each = offsets / few.surfaces.pairs();
     let each = each.max(1).min(loaded.case.model.offsets);
@@ -457,7 +462,7 @@ fn other_law(loaded: &OperatingCase, offsets: usize) -> Result<Option<ByOtherLaw
 }
 
 fn path_share(losses: &Losses) -> f64 {
-    Path::from_rows(&losses.path).asperity_share
+    PathLosses::from_rows(&losses.path).asperity_share
 }
 
 /// Whether the loss depends on β_i, which the case does not state.
@@ -470,7 +475,7 @@ fn draws_inner_boundary(loaded: &LoadedCase) -> bool {
 }
 
 /// Common input of all evaluations.
-struct Base<'a> {
+struct EvaluationBase<'a> {
     loaded: &'a OperatingCase,
     constants: &'a [Ranged],
     contacts: Windows<'a>,
@@ -478,7 +483,7 @@ struct Base<'a> {
     done: &'a (dyn Fn(usize) + Sync),
 }
 
-impl Base<'_> {
+impl EvaluationBase<'_> {
     /// The losses with the constants at `z`, and with another β_i.
     fn at(&self, z: &[f64], inner_boundary: Option<f64>) -> Result<Losses, Error> {
         let drawn = self.loaded.overridden(|over| {
@@ -509,9 +514,12 @@ impl Base<'_> {
         let place = |(k, others): (usize, &Vec<f64>)| {
             let [mut film, mut others] = [&films[k / of_one], others].map(|of| of.iter());
             let constants = self.constants.iter();
-            let parts = constants.map(|constant| match changes_film(&constant) {
-                true => film.next(),
-                false => others.next(),
+            let parts = constants.map(|constant| {
+                if changes_film(&constant) {
+                    film.next()
+                } else {
+                    others.next()
+                }
             });
             parts
                 .flatten()
@@ -527,8 +535,9 @@ impl Base<'_> {
 /// `ratio` is ln of the sliding loss over the loss at the medians, and `boundary_w` the friction of the boundary layer there. At the
 /// middle of β_i the logarithm is `surface`, whose error enters the slopes of the bend only.
 fn inner_boundary(
-    base: &Base<'_>,
-    (ratio, boundary_w): (&dyn Fn(&Losses) -> f64, f64),
+    base: &EvaluationBase<'_>,
+    ratio: &dyn Fn(&Losses) -> f64,
+    boundary_w: f64,
     surface: &QuadraticSurface,
 ) -> Result<InnerBoundary, Error> {
     /// Standard deviations to the side: at the 5 and 95 % quantiles.
@@ -564,12 +573,11 @@ fn inner_boundary(
         let by_layer = (logs[1][of] - logs[2][of]) / (2.0 * SIDE);
         [logs[0][of], by_friction, by_layer]
     });
-    let boundary = match boundary_w > 0.0 {
-        true => {
-            let [low, high] = [&low, &high].map(|end| end[0].summary.boundary_w / boundary_w);
-            [0.5 * (high - low), 0.5 * (high + low) - 1.0]
-        }
-        false => [0.0; 2],
+    let boundary = if boundary_w > 0.0 {
+        let [low, high] = [&low, &high].map(|end| end[0].summary.boundary_w / boundary_w);
+        [0.5 * (high - low), 0.5 * (high + low) - 1.0]
+    } else {
+        [0.0; 2]
     };
     Ok(InnerBoundary {
         slope,
@@ -606,7 +614,7 @@ fn film_law(loaded: &OperatingCase, summary: &Summary) -> Option<FilmLaw> {
 }
 
 /// Means over a path, weighted with the sliding loss.
-pub(super) struct Path {
+pub(super) struct PathLosses {
     pub asperity_share: f64,
     pub film_friction: f64,
     pub roughness_over_film: Option<f64>,
@@ -614,13 +622,16 @@ pub(super) struct Path {
     film_m: f64,
 }
 
-impl Path {
+impl PathLosses {
     pub fn from_rows(path: &[PositionRow]) -> Self {
         let power = |row: &PositionRow| row.weight_m * row.sliding_w_per_m;
         let total: f64 = path.iter().map(power).sum();
-        let mean = |of: &dyn Fn(&PositionRow) -> f64| match total > 0.0 {
-            true => path.iter().map(|row| power(row) * of(row)).sum::<f64>() / total,
-            false => 0.0,
+        let mean = |of: &dyn Fn(&PositionRow) -> f64| {
+            if total > 0.0 {
+                path.iter().map(|row| power(row) * of(row)).sum::<f64>() / total
+            } else {
+                0.0
+            }
         };
         let is_known = path.iter().any(|row| row.roughness_over_film.is_some());
         Self {
@@ -742,15 +753,14 @@ pub(super) fn travelled(
         loaded.case.model.window,
         widest(nominal.path),
     )?;
-    let travel = match friction.standard_error.is_finite() {
-        true => (
-            friction.windows.round().max(1.0) as usize,
-            friction.standard_error,
-        ),
+    let (passed, error) = if friction.standard_error.is_finite() {
+        let passed = friction.windows.round().max(1.0) as usize;
+        (passed, friction.standard_error)
+    } else {
         // A travel of one block says nothing of its scatter.
-        false => (1, 0.0),
+        (1, 0.0)
     };
-    Some(travel_sampling(travel, of_traces, asperity_share))
+    Some(travel_sampling(passed, error, of_traces, asperity_share))
 }
 
 /// The error of flanks that are known by roughness values: the scatter of the pairs of surrogates, and their form.
@@ -771,7 +781,7 @@ fn of_surrogates(logs: &[f64], asperity_share: f64) -> SamplingError {
 
 /// Standard error of ln loss by the sampling of the flanks.
 pub(super) fn standard_error(loaded: &OperatingCase, nominal: &Nominal<'_>) -> Result<f64, Error> {
-    let share = Path::from_rows(nominal.path).asperity_share;
+    let share = PathLosses::from_rows(nominal.path).asperity_share;
     Ok(sampling_error(loaded, nominal, share)?.standard_error)
 }
 

@@ -67,7 +67,9 @@ pub use difference::{
 pub use evaluations::has_band;
 pub use recorded::predictive;
 
-use evaluations::{Evaluated, Nominal, Windows, count, evaluated, of_windows, travelled, widest};
+use evaluations::{
+    EvaluatedLosses, Nominal, Windows, count, evaluated, of_windows, travelled, widest,
+};
 use mesh_run::MeshRun;
 use other_models::{OtherModel, by_formula, other_models};
 
@@ -77,12 +79,11 @@ const PRECISE: f64 = 0.02;
 /// Evaluations of a case for its draws, other models among them.
 #[must_use]
 pub fn evaluations(loaded: &LoadedCase) -> usize {
-    match has_band(loaded) {
-        true => {
-            let number = |case: OperatingCase| Ok(count(&case) + other_models(&case)?.len());
-            loaded.at_stated().and_then(number).unwrap_or(0)
-        }
-        false => 0,
+    if has_band(loaded) {
+        let number = |case: OperatingCase| Ok(count(&case) + other_models(&case)?.len());
+        loaded.at_stated().and_then(number).unwrap_or(0)
+    } else {
+        0
     }
 }
 
@@ -114,7 +115,7 @@ pub(crate) fn run_and_draw(loaded: &LoadedCase, options: &Options<'_>) -> Result
     };
     let (mut outcome, loaded, contacts) = outcome(loaded, options, &shown)?;
     if !options.interval || !has_band(&loaded) {
-        scans::compare_with_rows(&mut outcome, None, (&loaded, &contacts), (kept, &by_rows))?;
+        scans::compare_with_rows(&mut outcome, None, &loaded, &contacts, kept, &by_rows)?;
         return Ok(MeshRun {
             outcome,
             drawn: None,
@@ -155,7 +156,7 @@ pub(crate) fn run_and_draw(loaded: &LoadedCase, options: &Options<'_>) -> Result
     outcome.result.uncertainty = Some(uncertainty);
     note(&mut outcome.result, &used.tags());
     let drawn = Some(&predictive);
-    scans::compare_with_rows(&mut outcome, drawn, (&loaded, &contacts), (kept, &by_rows))?;
+    scans::compare_with_rows(&mut outcome, drawn, &loaded, &contacts, kept, &by_rows)?;
     Ok(MeshRun {
         outcome,
         drawn: Some(predictive),
@@ -189,7 +190,7 @@ fn uncertainty(
     done: &(dyn Fn(usize) + Sync),
 ) -> Result<(Uncertainty, Predictive), Error> {
     let nominal = Nominal::of_outcome(outcome);
-    let Evaluated {
+    let EvaluatedLosses {
         predictive,
         of_positions,
         held,
@@ -212,9 +213,10 @@ fn uncertainty(
     checkpoint()?;
     let draws_w = predictive.draws_w();
     let Quantiles { drawn, sd_ln } = Quantiles::from_draws(&draws_w);
-    let to_median = match predictive.at_medians_w > 0.0 {
-        true => drawn.value / predictive.at_medians_w,
-        false => 1.0,
+    let to_median = if predictive.at_medians_w > 0.0 {
+        drawn.value / predictive.at_medians_w
+    } else {
+        1.0
     };
     for loss in others.iter_mut().filter_map(|row| row.loss_w.as_mut()) {
         *loss *= to_median;
@@ -338,9 +340,10 @@ fn remedy_of(
         Component::Sampling => "traces of more teeth",
         Component::Relief => "gears.pinion.tip_relief and gears.wheel.tip_relief",
         Component::Model | Component::InnerBoundary => {
-            match recorded::would_narrow(loaded, predictive, nominal) {
-                true => RECORDS,
-                false => RIG,
+            if recorded::would_narrow(loaded, predictive, nominal) {
+                RECORDS
+            } else {
+                RIG
             }
         }
         Component::HeldThermal => "losses measured at this temperature",

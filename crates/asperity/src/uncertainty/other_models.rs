@@ -4,7 +4,7 @@ use asperity_core::cite;
 use asperity_mixed_film::SpotSpeed;
 use asperity_oil::PressureLaw;
 
-use super::evaluations::{Nominal, Path};
+use super::evaluations::{Nominal, PathLosses};
 use crate::result::AlternativeRow;
 use asperity_case::case::{Alternative, LoadShareName, OperatingCase, ShareLaw};
 use asperity_case::error::Error;
@@ -66,7 +66,7 @@ fn step_rule(share: f64, [boundary, film]: [f64; 2], loss_factor_w: f64) -> f64 
 
 /// Change of the loss of a run by the step rule \[W\].
 pub(super) fn step_rule_of(loaded: &OperatingCase, nominal: &Nominal<'_>) -> f64 {
-    let (path, s) = (Path::from_rows(nominal.path), nominal.summary);
+    let (path, s) = (PathLosses::from_rows(nominal.path), nominal.summary);
     let friction = [loaded.case.model.boundary_friction, path.film_friction];
     step_rule(
         path.asperity_share,
@@ -79,7 +79,7 @@ pub(super) fn step_rule_of(loaded: &OperatingCase, nominal: &Nominal<'_>) -> f64
 pub(super) fn by_formula(loaded: &OperatingCase, nominal: &Nominal<'_>) -> Vec<AlternativeRow> {
     /// s from which losses by the model were taken to be too high, and the slope of their logarithm over it.
     const BIAS: [f64; 2] = [2.1, 0.16];
-    let (path, s) = (Path::from_rows(nominal.path), nominal.summary);
+    let (path, s) = (PathLosses::from_rows(nominal.path), nominal.summary);
     let rough = path.roughness_over_film.filter(|_| is_solved(loaded));
     let Some(over_film) = rough.filter(|_| path.asperity_share > 0.0) else {
         return Vec::new();

@@ -7,7 +7,7 @@
 use asperity_uncertainty::{COMPARED, Predictive, RecordedRule, SamplingError};
 
 use super::evaluations::{
-    Evaluated, Nominal, Windows, by_contacts, evaluated, has_band, travelled, widest,
+    EvaluatedLosses, Nominal, Windows, by_contacts, evaluated, has_band, travelled, widest,
 };
 use super::other_models::step_rule_of;
 use crate::contacts::Contacts;
@@ -62,7 +62,7 @@ pub(super) fn evaluate(
     nominal: &Nominal<'_>,
     windows: Windows<'_>,
     done: &(dyn Fn(usize) + Sync),
-) -> Result<Evaluated, Error> {
+) -> Result<EvaluatedLosses, Error> {
     match nominal.summary.recorded_friction {
         Some(friction) => by_records(loaded, nominal, friction, done),
         None => by_contacts(loaded, nominal, windows, done),
@@ -81,7 +81,7 @@ fn by_records(
     nominal: &Nominal<'_>,
     friction: RecordedFriction,
     done: &(dyn Fn(usize) + Sync),
-) -> Result<Evaluated, Error> {
+) -> Result<EvaluatedLosses, Error> {
     asperity_core::cite!("Record-draw");
     let fast = by_solved_contacts(loaded)?;
     let contacts = contacts_of(&fast, &[])?;

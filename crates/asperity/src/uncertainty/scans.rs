@@ -24,8 +24,10 @@ pub(super) fn is_due(loaded: &LoadedCase, kept: &Kept) -> bool {
 pub(super) fn compare_with_rows(
     outcome: &mut MeshOutcome,
     drawn: Option<&Predictive>,
-    (loaded, contacts): (&OperatingCase, &Contacts),
-    (kept, run): (&Kept, Runs<'_>),
+    loaded: &OperatingCase,
+    contacts: &Contacts,
+    kept: &Kept,
+    run: Runs<'_>,
 ) -> Result<(), Error> {
     if !is_due(loaded, kept) {
         return Ok(());
@@ -64,11 +66,11 @@ fn comparison(
     let Some(shown) = highest else {
         return Ok(None);
     };
-    let Some(patch) = over_gap(patches, shown.position, None)? else {
+    let Some(patch) = over_gap(patches.0, patches.1, shown.position, None)? else {
         return Ok(None);
     };
     let warm = settled(&rows, &Options::known(&contacts))?;
-    let Some(lines) = over_gap((&warm, &contacts), shown.position, Some(&patch.gaps))? else {
+    let Some(lines) = over_gap(&warm, &contacts, shown.position, Some(&patch.gaps))? else {
         return Ok(None);
     };
     let shares = patch.shares.iter().zip(&lines.shares);

@@ -150,9 +150,10 @@ impl OilBase {
         let at = self.case_temperature?.celsius();
         let (low, high) = (tested.first()?, tested.last()?);
         let outside = (low - at).max(at - high);
-        let tested = match low == high {
-            true => format!("{low:.0}"),
-            false => format!("{low:.0} to {high:.0}"),
+        let tested = if low == high {
+            format!("{low:.0}")
+        } else {
+            format!("{low:.0} to {high:.0}")
         };
         (outside > far).then(|| {
             format!("the case has {at:.0} °C, {outside:.0} K outside of the tested {tested} °C")

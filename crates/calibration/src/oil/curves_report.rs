@@ -5,7 +5,7 @@ use asperity_core::Estimate;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::{Cell, Column, Kind, Report, StudyResult, Table, columns};
 
-use super::traction::{Curves, LEAST_RATIO, PredictedPoint, TractionCurves};
+use super::traction::{ComputedCurves, LEAST_RATIO, PredictedPoint, TractionCurves};
 
 const OVER_SLIDE: &str = "traction_over_slide_to_roll.csv";
 const OVER_SPEED: &str = "traction_over_speed.csv";
@@ -170,14 +170,14 @@ fn charts(traction: &TractionCurves) -> [Drawing; 2] {
 fn drawn(
     mut chart: Chart,
     traction: &TractionCurves,
-    points: fn(&Curves) -> &[PredictedPoint],
+    points: fn(&ComputedCurves) -> &[PredictedPoint],
     x: fn(&PredictedPoint) -> f64,
 ) -> Chart {
     let shown = traction
         .curves
         .iter()
         .filter(|curves| !points(curves).is_empty());
-    let shown: Vec<&Curves> = shown.collect();
+    let shown: Vec<&ComputedCurves> = shown.collect();
     for curves in &shown {
         let name = format!("{:.0} °C", curves.temperature_c);
         let line = points(curves)

@@ -182,8 +182,9 @@ pub(crate) fn too_steep(band: [f64; 2]) -> Fault {
 
 /// The error of a row, with the rows like it and what the file then seems to have, if they are many.
 pub(super) fn repeated(row: Fault, like: &RepeatedFault, seems: &str) -> Fault {
-    match like.is_dialect() {
-        true => row.adding(&format!("; {like}; {seems}")),
-        false => row,
+    if like.is_dialect() {
+        row.adding(&format!("; {like}; {seems}"))
+    } else {
+        row
     }
 }

@@ -117,12 +117,13 @@ impl OilFit {
         });
         let fitted: Vec<String> = fitted.collect();
         let open: Vec<&str> = open.into_iter().map(|one| one.name.as_str()).collect();
-        let mut verdicts = vec![match fitted.is_empty() {
-            true => "The points identify no constant.".to_owned(),
-            false => format!(
+        let mut verdicts = vec![if fitted.is_empty() {
+            "The points identify no constant.".to_owned()
+        } else {
+            format!(
                 "Identified by the points, in brackets 5 to 95 %: {}.",
                 fitted.join(", ")
-            ),
+            )
         }];
         let unsigned = self.constants.iter().filter(|one| {
             let [low, high] = one.fitted.ends();
@@ -138,13 +139,14 @@ impl OilFit {
             verdicts.push(format!("Not identified: {}.", open.join(", ")));
         }
         let law = self.pressure_law.name();
-        verdicts.push(match self.is_law_decided {
-            true => format!(
+        verdicts.push(if self.is_law_decided {
+            format!(
                 "The viscosity in the film rises with the pressure by the law of {}{}.",
                 law[..1].to_uppercase(),
                 &law[1..]
-            ),
-            false => format!("The points do not decide the law of pressure; {law} fits best."),
+            )
+        } else {
+            format!("The points do not decide the law of pressure; {law} fits best.")
         });
         verdicts
     }
@@ -166,9 +168,10 @@ impl OilFit {
             count => format!(", {count} with a measured film"),
         };
         let [best, other] = self.total_squared;
-        let decided = match self.is_law_decided {
-            true => "The points decide",
-            false => "The points do not decide",
+        let decided = if self.is_law_decided {
+            "The points decide"
+        } else {
+            "The points do not decide"
         };
         let mut lines = vec![
             format!(
@@ -217,10 +220,7 @@ fn constants(constants: &[FittedConstant]) -> Table {
         range range "5 to 95 %" "" = range(one.fitted.ends());
         number prior "family" "" = by_interval(one.prior);
         range prior_range "5 to 95 % of the family" "" = range(one.prior.ends());
-        text verdict "by the points" "" = match one.is_identified {
-            true => "identified",
-            false => "not identified",
-        };
+        text verdict "by the points" "" = if one.is_identified { "identified" } else { "not identified" };
     }
 }
 

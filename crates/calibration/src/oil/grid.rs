@@ -11,14 +11,14 @@ use super::selection::judge;
 
 /// Every combination of loads \[N\], mean speeds \[m/s\], temperatures \[°C\] and slide-to-roll ratios.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Grid<'a> {
+pub(super) struct OilGrid<'a> {
     pub loads: &'a [f64],
     pub speeds: &'a [f64],
     pub slides: &'a [f64],
     pub temperatures: &'a [f64],
 }
 
-impl Grid<'_> {
+impl OilGrid<'_> {
     /// The points, to be measured with both signs of the slide-to-roll ratio; a curve has one load, speed and temperature.
     pub fn points(&self, machine: &Machine) -> Vec<SetPoint> {
         let mut points = Vec::new();

@@ -5,7 +5,7 @@ use nalgebra::DVector;
 
 use super::base::OilBase;
 use super::fit::{PointErrors, planned};
-use super::grid::Grid;
+use super::grid::OilGrid;
 use super::machine::Setting;
 use super::problem::{Priors, STATED, Zero};
 use super::reading::SetPoint;
@@ -13,7 +13,7 @@ use crate::information::{covariance, information, variances_after};
 use crate::least_squares::Residuals;
 
 /// Settings to choose from.
-pub(super) const GRID: Grid<'static> = Grid {
+pub(super) const GRID: OilGrid<'static> = OilGrid {
     loads: &[10.0, 30.0, 70.0],
     speeds: &[0.5, 1.0, 3.0],
     slides: &[0.01, 0.05, 0.2, 1.0],

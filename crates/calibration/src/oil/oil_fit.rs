@@ -458,9 +458,10 @@ fn refuse_points(points: &[SetPoint], judged: &[Judged], kept: usize) -> Result<
     }
     let kept = judged.iter().filter(|one| one.dropped.is_none());
     let most = kept.fold(0.0, |most: f64, one| most.max(one.max_pressure));
-    match most < LEAST_PRESSURE {
-        true => Err(oil_error::low_pressure(1e-9 * most)),
-        false => Ok(()),
+    if most < LEAST_PRESSURE {
+        Err(oil_error::low_pressure(1e-9 * most))
+    } else {
+        Ok(())
     }
 }
 
@@ -488,9 +489,12 @@ fn constants(
             let (shift, posterior) = (sd * fit.x[k], fit.deviation(k));
             let is_logarithm = k != FALL;
             let is_identified = posterior <= NOT_IDENTIFIED;
-            let at = |shift: f64| match is_logarithm {
-                true => priors[k] * shift.exp(),
-                false => priors[k] + shift,
+            let at = |shift: f64| {
+                if is_logarithm {
+                    priors[k] * shift.exp()
+                } else {
+                    priors[k] + shift
+                }
             };
             let quantiles = |z: f64, middle: f64, sd: f64| [-z, z].map(|z| at(middle + z * sd));
             let widened = LINEARISED * sd * posterior;

@@ -80,12 +80,12 @@ pub fn read_pcs(
         let cells: Vec<&str> = cells.map(|cell| cell.trim().trim_matches('"')).collect();
         if starts_step(line) {
             (step, columns) = (step + 1, None);
-        } else if let Some(found) = Columns::from_cells(&cells, probe) {
+        } else if let Some(found) = PcsColumns::from_cells(&cells, probe) {
             columns = Some(found);
         } else if cells.iter().all(|cell| cell.is_empty()) {
             columns = None;
         } else if let Some(columns) = columns.as_ref().filter(|_| !is_remark(&cells)) {
-            let place = Place {
+            let place = PcsPlace {
                 file: name,
                 line: number + 1,
             };
@@ -109,24 +109,23 @@ pub fn read_pcs(
         let seems = "the column seems to hold something else";
         return Err(oil_error::repeated(fault, &faults, seems));
     }
-    match readings.is_empty() {
-        true => Err(oil_error::no_table(name)),
-        false => {
-            let wrong = readings.iter().filter(|one| one.contradiction.is_some());
-            if let Some(first) = wrong.clone().next()
-                && wrong.count() * ONE_IN > readings.len()
-            {
-                let rule = first.contradiction.clone().unwrap_or_default();
-                let line = first.line;
-                let fault = Place { file: name, line }.fault(rule);
-                let seems = "the columns seem to be mixed up";
-                return Err(oil_error::repeated(fault, &contradictions, seems));
-            }
-            for reading in &mut readings {
-                reading.film = film_at(&films, reading);
-            }
-            Ok(readings)
+    if readings.is_empty() {
+        Err(oil_error::no_table(name))
+    } else {
+        let wrong = readings.iter().filter(|one| one.contradiction.is_some());
+        if let Some(first) = wrong.clone().next()
+            && wrong.count() * ONE_IN > readings.len()
+        {
+            let rule = first.contradiction.clone().unwrap_or_default();
+            let line = first.line;
+            let fault = PcsPlace { file: name, line }.fault(rule);
+            let seems = "the columns seem to be mixed up";
+            return Err(oil_error::repeated(fault, &contradictions, seems));
         }
+        for reading in &mut readings {
+            reading.film = film_at(&films, reading);
+        }
+        Ok(readings)
     }
 }
 
@@ -162,21 +161,22 @@ fn film_at(films: &[MeasuredFilm], reading: &Reading) -> Option<Length> {
         let [[x0, y0], [x1, y1]] = [*curve.get(next.checked_sub(1)?)?, curve[next]];
         Some(y0 + (y1 - y0) * (speed.ln() - x0) / (x1 - x0))
     };
-    let logarithm = match at.is_empty() {
-        true => between()?,
-        false => at.iter().sum::<f64>() / at.len() as f64,
+    let logarithm = if at.is_empty() {
+        between()?
+    } else {
+        at.iter().sum::<f64>() / at.len() as f64
     };
     Some(Length::from_si(1e-9 * logarithm.exp()))
 }
 
 /// Place of a row.
 #[derive(Clone, Copy)]
-struct Place<'a> {
+struct PcsPlace<'a> {
     file: &'a str,
     line: usize,
 }
 
-impl Place<'_> {
+impl PcsPlace<'_> {
     fn fault(self, rule: String) -> Fault {
         oil_error::row(self.file, self.line, rule)
     }
@@ -190,7 +190,7 @@ fn is_remark(cells: &[&str]) -> bool {
 }
 
 /// Number of a cell.
-fn number(cells: &[&str], index: usize, name: &str, place: Place<'_>) -> Result<f64, Fault> {
+fn number(cells: &[&str], index: usize, name: &str, place: PcsPlace<'_>) -> Result<f64, Fault> {
     let cell = cells.get(index).copied().unwrap_or_default();
     let value = cell.replace(',', ".").parse::<f64>().ok();
     let fault = || place.fault(format!("{name}: {cell:?} is not a finite number"));
@@ -217,7 +217,7 @@ fn agree([a, b]: [f64; 2], rounding: f64) -> bool {
 }
 
 /// Indices of the columns of a table.
-struct Columns {
+struct PcsColumns {
     /// Film of a step that measures no traction.
     film: Option<usize>,
     traction: usize,
@@ -230,7 +230,7 @@ struct Columns {
     force: Option<usize>,
 }
 
-impl Columns {
+impl PcsColumns {
     fn from_cells(cells: &[&str], probe: Probe) -> Option<Self> {
         let named = |name: &str| cells.iter().rposition(|cell| *cell == name);
         let beginning = |names: [&str; 2]| {
@@ -259,7 +259,7 @@ impl Columns {
     }
 
     /// The film of a row; `None` if the machine found none.
-    fn film(&self, cells: &[&str], place: Place<'_>) -> Result<Option<MeasuredFilm>, Fault> {
+    fn film(&self, cells: &[&str], place: PcsPlace<'_>) -> Result<Option<MeasuredFilm>, Fault> {
         let number = |index: usize, name: &str| number(cells, index, name, place);
         let nanometres = number(self.film.unwrap_or(self.traction), FILM)?;
         let celsius = number(self.temperature, TEMPERATURE)?;
@@ -273,7 +273,7 @@ impl Columns {
     }
 
     /// Refuses a row in which the probe of the oil reads air.
-    fn refuse_air(&self, cells: &[&str], place: Place<'_>) -> Result<(), Fault> {
+    fn refuse_air(&self, cells: &[&str], place: PcsPlace<'_>) -> Result<(), Fault> {
         let at = |index: usize| number(cells, index, TEMPERATURE, place).ok();
         let temperatures = at(self.temperature).zip(self.pot.and_then(at));
         match temperatures {
@@ -288,7 +288,7 @@ impl Columns {
         &self,
         cells: &[&str],
         machine: &Machine,
-        place: Place<'_>,
+        place: PcsPlace<'_>,
     ) -> Result<Reading, Fault> {
         let number = |index: usize, name: &str| number(cells, index, name, place);
         let optional = |index: Option<usize>, name: &str| {

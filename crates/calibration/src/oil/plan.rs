@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::base::OilBase;
 use super::case_loss::loss_slopes;
 use super::fit::{PointErrors, expected_covariance, planned};
-use super::grid::Grid;
+use super::grid::OilGrid;
 use super::helpful;
 use super::machine::Machine;
 use super::problem::{CONSTANTS, FACTOR, Priors, STATED, STATED_CONSTANTS, Zero, distinct};
@@ -28,24 +28,24 @@ use crate::optimal_design::d_optimal;
 const SLIDES: &[f64] = &[0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.5];
 /// Temperatures \[°C\] of the plans.
 const TEMPERATURES: &[f64] = &[40.0, 80.0, 120.0];
-const ONE_CURVE: Grid<'static> = Grid {
+const ONE_CURVE: OilGrid<'static> = OilGrid {
     loads: &[30.0],
     speeds: &[2.0],
     slides: SLIDES,
     temperatures: &[100.0],
 };
-const THREE_CURVES: Grid<'static> = Grid {
+const THREE_CURVES: OilGrid<'static> = OilGrid {
     temperatures: TEMPERATURES,
     ..ONE_CURVE
 };
-const STANDARD: Grid<'static> = Grid {
+const STANDARD: OilGrid<'static> = OilGrid {
     loads: &[20.0, 60.0],
     speeds: &[1.0, 3.0],
     slides: SLIDES,
     temperatures: TEMPERATURES,
 };
 /// Curves of a small ball, at about 2 GPa.
-const SMALL_BALL: Grid<'static> = Grid {
+const SMALL_BALL: OilGrid<'static> = OilGrid {
     loads: &[75.0],
     speeds: &[3.0],
     slides: SLIDES,
@@ -206,8 +206,9 @@ pub(crate) fn stages_of_case(
         priors,
         slopes: Some(DVector::from_row_slice(&slopes)),
     };
-    let stage =
-        |name: &str, grid: &Grid<'_>| planner.stage(name, &grid.described(oil, &settings.machine)?);
+    let stage = |name: &str, grid: &OilGrid<'_>| {
+        planner.stage(name, &grid.described(oil, &settings.machine)?)
+    };
     let stages = [stage(ONE, &ONE_CURVE)?, stage(WHOLE, &STANDARD)?];
     Ok((stages, slopes[FACTOR]))
 }
@@ -253,7 +254,7 @@ impl OilPlan {
             radii: [SMALL_RADIUS; 2],
             ..settings.machine
         };
-        let described = |grid: &Grid<'_>| grid.described(oil, &settings.machine);
+        let described = |grid: &OilGrid<'_>| grid.described(oil, &settings.machine);
         let standard = described(&STANDARD)?;
         let mut further = SMALL_BALL.described(oil, &small)?;
         for point in &mut further {
@@ -333,7 +334,7 @@ impl Planner<'_> {
         let row = |k: usize| slopes.rows(k, 1).into_owned();
         let rows: Vec<DMatrix<f64>> = (0..candidates.len()).map(row).collect();
         let of_priors = slopes.rows(candidates.len(), slopes.ncols()).into_owned();
-        let mut chosen = d_optimal(&rows, (CHOSEN, 1), interest, &information(&of_priors));
+        let mut chosen = d_optimal(&rows, CHOSEN, 1, interest, &information(&of_priors));
         chosen.sort_unstable();
         Ok(chosen.into_iter().map(|k| candidates[k].clone()).collect())
     }
@@ -406,9 +407,10 @@ fn reflection(of: &DVector<f64>, size: usize) -> DMatrix<f64> {
     normal[0] -= 1.0;
     let square = normal.norm_squared();
     let identity = DMatrix::identity(size, size);
-    match square > f64::EPSILON {
-        true => identity - (2.0 / square) * &normal * normal.transpose(),
-        false => identity,
+    if square > f64::EPSILON {
+        identity - (2.0 / square) * &normal * normal.transpose()
+    } else {
+        identity
     }
 }
 

@@ -20,7 +20,7 @@ const ERRORS: &str = "expected_errors.csv";
 
 /// Row of the table to fill in.
 #[derive(Serialize)]
-struct Row {
+struct PlanRow {
     load_n: f64,
     mean_speed_m_s: f64,
     slide_roll_percent: f64,
@@ -74,9 +74,10 @@ impl StudyResult for OilPlan {
             .text(self.is_simulated().then_some(simulated))
             .rows(TO_FILL_IN, || self.rows(|_| None))
             .rows(ERRORS, || self.stages.iter().flat_map(error_rows));
-        match self.is_simulated() {
-            true => report.file(|folder| self.write_simulated(&folder.join(SIMULATED_TABLE))),
-            false => report,
+        if self.is_simulated() {
+            report.file(|folder| self.write_simulated(&folder.join(SIMULATED_TABLE)))
+        } else {
+            report
         }
     }
 }
@@ -106,10 +107,10 @@ impl OilPlan {
     }
 
     /// Rows of the standard plan, both signs of each point, with friction.
-    fn rows(&self, traction: fn(&PlannedPoint) -> Option<f64>) -> impl Iterator<Item = Row> {
+    fn rows(&self, traction: fn(&PlannedPoint) -> Option<f64>) -> impl Iterator<Item = PlanRow> {
         let signs = move |point: &PlannedPoint| {
             let point = *point;
-            [1.0, -1.0].map(|sign| Row {
+            [1.0, -1.0].map(|sign| PlanRow {
                 load_n: point.load_n,
                 mean_speed_m_s: point.mean_speed_m_s,
                 slide_roll_percent: sign * point.slide_roll_percent,
@@ -152,14 +153,15 @@ fn stages(plan: &OilPlan) -> Table {
         .map(|(k, (_, name, _))| {
             let deviations = plan.stages.iter().map(|stage| stage.constants.get(k));
             let deviations = deviations.map(|one| one.map(|one| one.deviation));
-            match k == FALL {
-                true => Column::new(
+            if k == FALL {
+                Column::new(
                     Kind::Number,
                     name,
                     "1/K",
                     deviations.map(|one| Cell::number(one, |one| format!("{one:.4}"))),
-                ),
-                false => percent(name, deviations),
+                )
+            } else {
+                percent(name, deviations)
             }
         });
     let losses = plan.stages.iter().map(|stage| stage.loss_deviation);
@@ -222,9 +224,10 @@ fn whole_interval(width: f64) -> String {
         "the whole interval keeps {:.0} % of its width",
         100.0 * width
     );
-    match width > LITTLE {
-        true => format!("Traction curves help the loss of this case little: {keeps}. "),
-        false => format!("With traction curves {keeps}. "),
+    if width > LITTLE {
+        format!("Traction curves help the loss of this case little: {keeps}. ")
+    } else {
+        format!("With traction curves {keeps}. ")
     }
 }
 

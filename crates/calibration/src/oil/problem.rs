@@ -89,9 +89,10 @@ impl Priors {
     /// Priors of an oil, of its family or wide.
     #[must_use]
     pub const fn new(oil: &OilBase, is_wide: bool) -> Self {
-        match is_wide {
-            true => Self::wide(),
-            false => Self::family(oil.deviations),
+        if is_wide {
+            Self::wide()
+        } else {
+            Self::family(oil.deviations)
         }
     }
 

@@ -184,9 +184,10 @@ fn state(rubbing_s: f64, points: &[StribeckPoint]) -> BoundaryState {
         rubbing_s,
         points: of.len(),
         boundary_friction: (!of.is_empty()).then_some(mean),
-        scatter: match of.is_empty() {
-            true => 0.0,
-            false => variance.sqrt() / mean,
+        scatter: if of.is_empty() {
+            0.0
+        } else {
+            variance.sqrt() / mean
         },
         slope_per_decade: slope(&of).map(|slope| slope / mean),
     }

@@ -55,9 +55,10 @@ impl Stribeck {
 }
 
 fn named(state: &BoundaryState) -> String {
-    match state.rubbing_s > 0.0 {
-        true => format!("after {:.0} s of rubbing", state.rubbing_s),
-        false => "before rubbing".to_owned(),
+    if state.rubbing_s > 0.0 {
+        format!("after {:.0} s of rubbing", state.rubbing_s)
+    } else {
+        "before rubbing".to_owned()
     }
 }
 

@@ -147,7 +147,7 @@ pub fn read_table(
             )));
         }
     }
-    let readings = number_table::all((name, &table), |row| reading(name, row, machine))?;
+    let readings = number_table::all(name, &table, |row| reading(name, row, machine))?;
     Ok((readings, table.unread(name)))
 }
 

@@ -28,9 +28,10 @@ impl Readings {
     /// # Errors
     /// When the text is not valid, or the probe of the oil reads air.
     pub fn read(name: &str, text: &str, machine: &Machine, probe: Probe) -> Result<Self, Fault> {
-        let (all, warning) = match is_pcs(text) {
-            true => (read_pcs(name, text, machine, probe)?, None),
-            false => read_table(name, text, machine).map_err(oil_error::of_table)?,
+        let (all, warning) = if is_pcs(text) {
+            (read_pcs(name, text, machine, probe)?, None)
+        } else {
+            read_table(name, text, machine).map_err(oil_error::of_table)?
         };
         let mark = if is_simulated(text) { MARK } else { "" };
         Ok(Self {

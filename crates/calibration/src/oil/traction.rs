@@ -74,7 +74,7 @@ pub struct PredictedPoint {
 
 /// Curves at one temperature.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Curves {
+pub(super) struct ComputedCurves {
     pub temperature_c: f64,
     pub over_slide: Vec<PredictedPoint>,
     pub over_speed: Vec<PredictedPoint>,
@@ -115,7 +115,7 @@ pub struct TractionCurves {
     pub over_speed: Vec<PredictedPoint>,
     /// Curves by temperature, with the guides.
     #[serde(skip)]
-    pub(super) curves: Vec<Curves>,
+    pub(super) curves: Vec<ComputedCurves>,
 }
 
 /// Values from the first to the second in equal ratios.
@@ -159,7 +159,7 @@ impl TractionCurves {
             .machine
             .contact(&setting(range, range.temperatures[0]))
             .hertz()?;
-        let all = |of: fn(&Curves) -> &[PredictedPoint]| {
+        let all = |of: fn(&ComputedCurves) -> &[PredictedPoint]| {
             let points = curves.iter().flat_map(|curves| of(curves).iter().copied());
             points.collect::<Vec<PredictedPoint>>()
         };
@@ -194,7 +194,7 @@ fn curves_at(
     oil: &OilBase,
     range: &TractionRange,
     temperature: Temperature,
-) -> Result<Curves, Fault> {
+) -> Result<ComputedCurves, Fault> {
     let at = setting(range, temperature);
     let ratio = |film: Length| film / range.machine.roughness;
     let mut over_slide = Vec::new();
@@ -216,13 +216,14 @@ fn curves_at(
             ..at
         };
         let found = range.machine.predict(&oil.rheology, &at)?;
-        match ratio(found.film) >= LEAST_RATIO {
-            true => over_speed.push(point(oil, &range.machine, &at, &found)?),
-            false => below.push([speed, ratio(found.film)]),
+        if ratio(found.film) >= LEAST_RATIO {
+            over_speed.push(point(oil, &range.machine, &at, &found)?)
+        } else {
+            below.push([speed, ratio(found.film)])
         }
     }
     let film = range.machine.predict(&oil.rheology, &at)?.film;
-    Ok(Curves {
+    Ok(ComputedCurves {
         temperature_c: temperature.celsius(),
         guide: guide(&below, over_speed.first(), range.boundary_friction),
         over_slide,

@@ -19,8 +19,10 @@ impl OilFit {
         let [this_law, other_law] = self.total_squared;
         let by_other = || {
             self.film_friction(
-                (other.pressure_law, other.squares_per_point),
-                (&other.constants, &other.correlations),
+                other.pressure_law,
+                other.squares_per_point,
+                &other.constants,
+                &other.correlations,
                 [other_law, this_law],
             )
         };
@@ -29,17 +31,20 @@ impl OilFit {
             lubricant: self.lubricant.clone(),
             film_friction: self
                 .film_friction(
-                    (self.pressure_law, self.squares_per_point),
-                    (&self.constants, &self.correlations),
+                    self.pressure_law,
+                    self.squares_per_point,
+                    &self.constants,
+                    &self.correlations,
                     [this_law, other_law],
                 )
                 .map(|fitted| FittedFriction {
                     doubts: self.doubts.clone(),
                     ..fitted
                 })?,
-            other_law: match self.is_law_decided {
-                true => None,
-                false => Some(by_other()?),
+            other_law: if self.is_law_decided {
+                None
+            } else {
+                Some(by_other()?)
             },
         })
     }
@@ -47,8 +52,10 @@ impl OilFit {
     /// The constants by a law of pressure; `None` if the fit does not have them.
     fn film_friction(
         &self,
-        (pressure_law, chi2_per_point): (PressureLaw, f64),
-        (constants, correlations): (&[FittedConstant], &[Vec<f64>]),
+        pressure_law: PressureLaw,
+        chi2_per_point: f64,
+        constants: &[FittedConstant],
+        correlations: &[Vec<f64>],
         [this_law, other_law]: [f64; 2],
     ) -> Option<FittedFriction> {
         let [stress, limit, fall, factor] = constants else {

@@ -5,7 +5,7 @@ use asperity_core::numerics::Cholesky;
 use asperity_core::quantity::{Length, Pressure};
 use serde::{Deserialize, Serialize};
 
-use super::rows::{Numbers, OPEN, table};
+use super::rows::{KeyNumbers, OPEN, table};
 
 table! {
     /// Parameters calibrated on a rig, each with the 95 % interval from which the interval of the loss is sampled.
@@ -31,7 +31,7 @@ table! {
     correlations: Option<Vec<CorrelationInput>> => table;
 }
 
-impl<T: Numbers> Numbers for Estimate<T> {
+impl<T: KeyNumbers> KeyNumbers for Estimate<T> {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         let values = [&self.value, &self.low, &self.high].into_iter();
         values.flat_map(|value| value.numbers(unit)).collect()

@@ -261,9 +261,12 @@ impl Files {
     /// Sums of the files that any of `inputs` names; those that cannot be read are left out.
     pub(crate) fn sums_of(&self, inputs: &[CaseInput]) -> FileSums {
         let named = inputs.iter().flat_map(named);
-        self.sums_of_names(named.flat_map(|named| match named.is_pattern {
-            true => self.matching(&named.name),
-            false => vec![named.name],
+        self.sums_of_names(named.flat_map(|named| {
+            if named.is_pattern {
+                self.matching(&named.name)
+            } else {
+                vec![named.name]
+            }
         }))
     }
 

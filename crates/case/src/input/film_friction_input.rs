@@ -10,7 +10,7 @@ use serde::de::{self, Error as _, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::ranges::of_law;
-use super::rows::{Judge, KeyPath, OPEN, Ranged};
+use super::rows::{Judge, KeyPath, OPEN, RangedKey};
 
 /// Friction in the film, with the setting of its law.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -113,7 +113,7 @@ impl FilmFrictionInput {
     }
 }
 
-impl Ranged for FilmFrictionInput {
+impl RangedKey for FilmFrictionInput {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         let [mut constant, mut factor] = [None; 2];
         match stated {

@@ -5,7 +5,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::rows::{Judge, KeyPath, OPEN, Ranged, table};
+use super::rows::{Judge, KeyPath, OPEN, RangedKey, table};
 
 table! {
     /// Modifications of the flanks of one gear, its tip and its root.
@@ -115,7 +115,7 @@ impl TipRelief {
     }
 }
 
-impl Ranged for TipRelief {
+impl RangedKey for TipRelief {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         let drawn = stated.and_then(|relief| relief.drawn());
         ReliefInput::visit(drawn.as_ref(), at, judge);

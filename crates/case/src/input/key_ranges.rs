@@ -3,7 +3,7 @@
 use super::case_input::CaseInput;
 use super::mesh_input::MESH;
 use super::ranges::{range_in_pair, row_of};
-use super::rows::{KeyPath, Limits, Ranged};
+use super::rows::{KeyPath, Limits, RangedKey};
 use crate::source::source_text::is_within;
 
 /// Tables of a gear train, each with the table of a pair of gears whose rows it has.

@@ -9,7 +9,7 @@ use super::bulk_input::BulkInput;
 use super::gear_input::GearFlankInput;
 use super::gearbox_input::Hand;
 use super::input_tables::{GearsInput, MaterialInput, SurfaceInput, is_unstated};
-use super::rows::{Judge, KeyPath, Ranged, limits};
+use super::rows::{Judge, KeyPath, RangedKey, limits};
 
 /// Name of a mesh in the paths of rows.
 pub(crate) const MESH: &str = "NAME";
@@ -132,7 +132,7 @@ limits! {
 }
 
 /// Meshes by their names.
-impl Ranged for BTreeMap<String, MeshInput> {
+impl RangedKey for BTreeMap<String, MeshInput> {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         let Some(meshes) = stated else {
             return MeshInput::visit(None, at.below(MESH), judge);

@@ -18,7 +18,7 @@ use super::film_friction_input::FilmFrictionInput;
 use super::law_names::{FullFilmName, LoadShareName};
 use super::one_or_two::OneOrTwo;
 use super::path_point::{NamedPoint, PathPoint, Positions};
-use super::rows::{OPEN, Stated, choices};
+use super::rows::{OPEN, StatedRow, choices};
 use crate::source::case_error::{CaseError, LOOSEST_TOLERANCE};
 use crate::source::defaults::Defaults;
 use crate::source::section::{Section, domain};
@@ -201,7 +201,8 @@ pub(crate) struct OfFormulation {
 
 /// Makes every choice that the case leaves open.
 pub(crate) fn model(
-    (stated, of_paper): (&ModelInput, &PaperInput),
+    stated: &ModelInput,
+    of_paper: &PaperInput,
     formulation: &OfFormulation,
     gears: &GearPair,
     source: &Source,
@@ -234,22 +235,37 @@ struct Choices<'a> {
 }
 
 type Key = &'static str;
-type Choice<T> = Result<T, CaseError>;
+type OpenChoice<T> = Result<T, CaseError>;
 
 impl Choices<'_> {
     /// A default, which is listed unless the formulation does not use the key.
-    fn default<T: Serialize>(&mut self, key: Key, stated: Stated<T>, default: T) -> Choice<T> {
+    fn default<T: Serialize>(
+        &mut self,
+        key: Key,
+        stated: StatedRow<T>,
+        default: T,
+    ) -> OpenChoice<T> {
         let is_used = !self.formulation.unused_keys.contains(&key);
         self.listed_if(key, stated, is_used, default)
     }
 
     /// A default of elastohydrodynamic solutions.
-    fn of_solutions<T: Serialize>(&mut self, key: Key, stated: Stated<T>, default: T) -> Choice<T> {
+    fn of_solutions<T: Serialize>(
+        &mut self,
+        key: Key,
+        stated: StatedRow<T>,
+        default: T,
+    ) -> OpenChoice<T> {
         self.listed_if(key, stated, self.has_solutions, default)
     }
 
     /// A default of reference solutions along the path.
-    fn of_records<T: Serialize>(&mut self, key: Key, stated: Stated<T>, default: T) -> Choice<T> {
+    fn of_records<T: Serialize>(
+        &mut self,
+        key: Key,
+        stated: StatedRow<T>,
+        default: T,
+    ) -> OpenChoice<T> {
         self.listed_if(key, stated, self.has_records, default)
     }
 
@@ -257,14 +273,15 @@ impl Choices<'_> {
     fn listed_if<T: Serialize>(
         &mut self,
         key: Key,
-        stated: Stated<T>,
+        stated: StatedRow<T>,
         is_used: bool,
         default: T,
-    ) -> Choice<T> {
+    ) -> OpenChoice<T> {
         let default = stated.by_formulation.unwrap_or(default);
-        Ok(match is_used {
-            true => self.defaults.take(key, stated.by_case, default),
-            false => stated.by_case.unwrap_or(default),
+        Ok(if is_used {
+            self.defaults.take(key, stated.by_case, default)
+        } else {
+            stated.by_case.unwrap_or(default)
         })
     }
 
@@ -272,10 +289,10 @@ impl Choices<'_> {
     fn starved_inlet(
         &mut self,
         key: Key,
-        stated: Stated<Length>,
+        stated: StatedRow<Length>,
         share: LoadShareName,
         film: FullFilmName,
-    ) -> Choice<Option<Length>> {
+    ) -> OpenChoice<Option<Length>> {
         let Some(layer) = stated.value() else {
             return Ok(None);
         };
@@ -292,7 +309,7 @@ impl Choices<'_> {
     }
 
     /// A number of positions; one if a single position represents the mesh.
-    fn of_path(&mut self, key: Key, stated: Stated<usize>, default: usize) -> Choice<usize> {
+    fn of_path(&mut self, key: Key, stated: StatedRow<usize>, default: usize) -> OpenChoice<usize> {
         match self.formulation.positions {
             Positions::AlongPath => self.default(key, stated, default),
             Positions::Single => Ok(1),
@@ -300,7 +317,7 @@ impl Choices<'_> {
     }
 
     /// The pitch point by default; the middle of a path that does not contain it.
-    fn point_of_path(&mut self, key: Key, stated: Stated<PathPoint>) -> Choice<f64> {
+    fn point_of_path(&mut self, key: Key, stated: StatedRow<PathPoint>) -> OpenChoice<f64> {
         let path = self.gears.path();
         let pitch = PathPoint::Named(NamedPoint::C);
         let has_pitch = (0.0..=1.0).contains(&pitch.fraction_of(path));
@@ -320,9 +337,9 @@ impl Choices<'_> {
     fn of_single_position<T: Serialize>(
         &mut self,
         key: Key,
-        stated: Stated<T>,
+        stated: StatedRow<T>,
         default: T,
-    ) -> Choice<T> {
+    ) -> OpenChoice<T> {
         let is_used = self.formulation.positions == Positions::Single;
         self.listed_if(key, stated, is_used, default)
     }
@@ -331,8 +348,8 @@ impl Choices<'_> {
     fn film_friction(
         &mut self,
         key: Key,
-        stated: Stated<FilmFrictionInput>,
-    ) -> Choice<FilmFrictionInput> {
+        stated: StatedRow<FilmFrictionInput>,
+    ) -> OpenChoice<FilmFrictionInput> {
         let eyring = FilmFrictionInput::Film(ShearLawName::Eyring);
         let chosen = self.default(key, stated, eyring)?;
         if chosen == FrictionLaw::Constant.into() {
@@ -347,10 +364,10 @@ impl Choices<'_> {
     fn ehl_solutions(
         &mut self,
         _: Key,
-        stated: Stated<EhlInput>,
+        stated: StatedRow<EhlInput>,
         share: LoadShareName,
         film: FullFilmName,
-    ) -> Choice<EhlChoices> {
+    ) -> OpenChoice<EhlChoices> {
         self.has_records = share == LoadShareName::Ehl || film == FullFilmName::EhlTransient;
         self.has_solutions = self.has_records || film == FullFilmName::Ehl;
         let by_formulation = stated.by_formulation.unwrap_or_default();

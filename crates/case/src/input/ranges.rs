@@ -14,7 +14,7 @@ use asperity_oil::viscosity_index::viscosity_index;
 use asperity_oil::{LubricantInput, ViscosityLaw};
 
 use super::case_input::{CaseInput, VehicleInput};
-use super::rows::{Judge, KeyPath, Limits, OPEN, Ranged, in_unit, limits};
+use super::rows::{Judge, KeyPath, Limits, OPEN, RangedKey, in_unit, limits};
 use crate::error::Error;
 use crate::source::case_error::CaseError;
 use crate::source::source_text::{Source, is_within};
@@ -37,7 +37,7 @@ limits! {
     temperature_coefficient = "1/K" usual [0.005, 0.15] possible [1e-4, 1.0];
 }
 
-impl Ranged for ViscosityLaw {
+impl RangedKey for ViscosityLaw {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         for (name, limits, number) in &VISCOSITY {
             let number = stated.copied().and_then(number);
@@ -50,7 +50,7 @@ impl Ranged for ViscosityLaw {
     }
 }
 
-impl Ranged for LoadLaw {
+impl RangedKey for LoadLaw {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         let rows: &[(f64, f64)] = match stated {
             Some(Self::Table(rows)) => rows,
@@ -193,7 +193,7 @@ struct Outside {
 }
 
 /// The numbers of a table that are outside the ranges of their rows, one for each row.
-fn outside<T: Judged>(table: &T) -> Vec<Outside> {
+fn outside<T: JudgedValue>(table: &T) -> Vec<Outside> {
     let mut found: Vec<Outside> = Vec::new();
     let module_mm = table.module().map_or(f64::NAN, |module| 1e3 * module.si());
     let mut judge = |at: KeyPath<'_>, limits: &Limits, numbers: &[f64]| {
@@ -238,9 +238,10 @@ impl Limits {
 
     fn with_unit(&self, text: &str) -> String {
         let text = with_unit(text, self.unit);
-        match self.per_module {
-            true => text + " per mm of module",
-            false => text,
+        if self.per_module {
+            text + " per mm of module"
+        } else {
+            text
         }
     }
 }
@@ -301,13 +302,12 @@ pub(crate) fn with_unit(text: &str, unit: &str) -> String {
 
 pub(crate) fn digits(value: f64) -> String {
     let size = value.abs();
-    let (number, power) = match size != 0.0 && !(1e-3..1e7).contains(&size) {
-        true => {
-            let text = format!("{value:.3e}");
-            let at = text.find('e').unwrap_or(text.len());
-            (text[..at].to_owned(), text[at..].to_owned())
-        }
-        false => (format!("{value:.4}"), String::new()),
+    let (number, power) = if size != 0.0 && !(1e-3..1e7).contains(&size) {
+        let text = format!("{value:.3e}");
+        let at = text.find('e').unwrap_or(text.len());
+        (text[..at].to_owned(), text[at..].to_owned())
+    } else {
+        (format!("{value:.4}"), String::new())
     };
     number
         .trim_end_matches('0')
@@ -317,7 +317,7 @@ pub(crate) fn digits(value: f64) -> String {
 }
 
 /// A case, or a table that is checked without its case.
-pub(crate) trait Judged: Ranged {
+pub(crate) trait JudgedValue: RangedKey {
     /// Path of the table; empty for the whole case.
     const TABLE: &'static str = "";
 
@@ -327,13 +327,13 @@ pub(crate) trait Judged: Ranged {
     }
 }
 
-impl Judged for CaseInput {
+impl JudgedValue for CaseInput {
     fn module(&self) -> Option<Length> {
         Some(self.gears.module)
     }
 }
 
-impl Judged for VehicleInput {
+impl JudgedValue for VehicleInput {
     const TABLE: &'static str = "vehicle";
 }
 
@@ -350,14 +350,17 @@ impl VehicleInput {
 }
 
 /// Every number that no gear drive has.
-pub(crate) fn impossible<T: Judged>(input: &T, source: &Source) -> Vec<CaseError> {
+pub(crate) fn impossible<T: JudgedValue>(input: &T, source: &Source) -> Vec<CaseError> {
     let found = outside(input).into_iter();
     let impossible = found.filter(|found| !found.is_possible);
     impossible.map(|found| found.error(source)).collect()
 }
 
 /// Refuses the first number that no gear drive has.
-pub(crate) fn refuse_impossible<T: Judged>(input: &T, source: &Source) -> Result<(), CaseError> {
+pub(crate) fn refuse_impossible<T: JudgedValue>(
+    input: &T,
+    source: &Source,
+) -> Result<(), CaseError> {
     match impossible(input, source).into_iter().next() {
         Some(error) => Err(error),
         None => Ok(()),
@@ -365,14 +368,14 @@ pub(crate) fn refuse_impossible<T: Judged>(input: &T, source: &Source) -> Result
 }
 
 /// W201 of every number that few gear drives have.
-pub(crate) fn unusual<T: Judged>(input: &T, source: &Source) -> Vec<Warning> {
+pub(crate) fn unusual<T: JudgedValue>(input: &T, source: &Source) -> Vec<Warning> {
     let found = outside(input).into_iter();
     let unusual = found.filter(|found| found.is_possible);
     unusual.map(|found| found.warning(source)).collect()
 }
 
 /// The ranges of the first row of the case `T` that is meant.
-pub(crate) fn row_of<T: Ranged>(is_meant: &dyn Fn(&str) -> bool) -> Option<Limits> {
+pub(crate) fn row_of<T: RangedKey>(is_meant: &dyn Fn(&str) -> bool) -> Option<Limits> {
     let mut found = None;
     let mut judge = |at: KeyPath<'_>, limits: &Limits, _: &[f64]| {
         if limits.relation.is_empty() && found.is_none() && is_meant(&at.to_string()) {

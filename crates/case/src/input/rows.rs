@@ -75,18 +75,18 @@ impl std::fmt::Display for KeyPath<'_> {
 pub(crate) type Judge<'a> = &'a mut dyn FnMut(KeyPath<'_>, &Limits, &[f64]);
 
 /// A table of the case file whose numbers have ranges.
-pub(crate) trait Ranged {
+pub(crate) trait RangedKey {
     /// Calls `judge` with every key with ranges; without numbers if the table is not stated.
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>);
 }
 
-impl<T: Ranged> Ranged for Option<T> {
+impl<T: RangedKey> RangedKey for Option<T> {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         T::visit(stated.and_then(Self::as_ref), at, judge);
     }
 }
 
-impl<T: Ranged> Ranged for Vec<T> {
+impl<T: RangedKey> RangedKey for Vec<T> {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         let Some(entries) = stated else {
             return T::visit(None, at, judge);
@@ -106,55 +106,55 @@ impl<T: Ranged> Ranged for Vec<T> {
 }
 
 /// Numbers of a value, in a unit that its quantity accepts.
-pub(crate) trait Numbers {
+pub(crate) trait KeyNumbers {
     fn numbers(&self, unit: &str) -> Vec<f64>;
 }
 
-impl Numbers for f64 {
+impl KeyNumbers for f64 {
     fn numbers(&self, _: &str) -> Vec<f64> {
         vec![*self]
     }
 }
 
 /// Ranges apply to the magnitude: the number of teeth of a ring is negative.
-impl Numbers for i32 {
+impl KeyNumbers for i32 {
     fn numbers(&self, _: &str) -> Vec<f64> {
         vec![f64::from(self.unsigned_abs())]
     }
 }
 
-impl Numbers for usize {
+impl KeyNumbers for usize {
     fn numbers(&self, _: &str) -> Vec<f64> {
         vec![*self as f64]
     }
 }
 
-impl Numbers for u32 {
+impl KeyNumbers for u32 {
     fn numbers(&self, _: &str) -> Vec<f64> {
         vec![f64::from(*self)]
     }
 }
 
-impl Numbers for u8 {
+impl KeyNumbers for u8 {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         u32::from(*self).numbers(unit)
     }
 }
 
-impl Numbers for Hardness {
+impl KeyNumbers for Hardness {
     fn numbers(&self, _: &str) -> Vec<f64> {
         // Another scale ends where steel does.
         self.vickers().into_iter().collect()
     }
 }
 
-impl Numbers for Lay {
+impl KeyNumbers for Lay {
     fn numbers(&self, _: &str) -> Vec<f64> {
         vec![self.gamma()]
     }
 }
 
-impl Numbers for PathPoint {
+impl KeyNumbers for PathPoint {
     fn numbers(&self, _: &str) -> Vec<f64> {
         match self {
             Self::Fraction(fraction) => vec![*fraction],
@@ -163,28 +163,28 @@ impl Numbers for PathPoint {
     }
 }
 
-impl Numbers for Columns {
+impl KeyNumbers for Columns {
     fn numbers(&self, _: &str) -> Vec<f64> {
         let columns = self.x.into_iter().chain([self.z]);
         columns.map(|column| column as f64).collect()
     }
 }
 
-impl Numbers for TraceRange {
+impl KeyNumbers for TraceRange {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         self.ends().numbers(unit)
     }
 }
 
 /// The ranges of a share are stated in per cent, as it is written.
-impl Numbers for Ratio {
+impl KeyNumbers for Ratio {
     fn numbers(&self, _: &str) -> Vec<f64> {
         vec![1e2 * self.value()]
     }
 }
 
 /// Ranges apply to the magnitude: a negative torque means that the wheel drives.
-impl Numbers for Torque {
+impl KeyNumbers for Torque {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         vec![in_unit(*self, unit).abs()]
     }
@@ -192,7 +192,7 @@ impl Numbers for Torque {
 
 macro_rules! quantities {
     ($($quantity:ident),*) => {
-        $(impl Numbers for $quantity {
+        $(impl KeyNumbers for $quantity {
             fn numbers(&self, unit: &str) -> Vec<f64> {
                 vec![in_unit(*self, unit)]
             }
@@ -223,25 +223,25 @@ quantities!(
     VolumeFlow
 );
 
-impl<T: Numbers> Numbers for Option<T> {
+impl<T: KeyNumbers> KeyNumbers for Option<T> {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         self.iter().flat_map(|value| value.numbers(unit)).collect()
     }
 }
 
-impl<T: Numbers, const N: usize> Numbers for [T; N] {
+impl<T: KeyNumbers, const N: usize> KeyNumbers for [T; N] {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         self.iter().flat_map(|value| value.numbers(unit)).collect()
     }
 }
 
-impl<T: Numbers> Numbers for Vec<T> {
+impl<T: KeyNumbers> KeyNumbers for Vec<T> {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         self.iter().flat_map(|value| value.numbers(unit)).collect()
     }
 }
 
-impl<T: Numbers + Copy> Numbers for OneOrTwo<T> {
+impl<T: KeyNumbers + Copy> KeyNumbers for OneOrTwo<T> {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         self.both().numbers(unit)
     }
@@ -321,7 +321,7 @@ macro_rules! limits {
             $($key:literal: $relation:literal, $value:expr, $of:literal usual $usually:tt possible $possibly:tt;)*
         })?
     ) => {
-        impl $(<$kind>)? $crate::input::rows::Ranged for $table $(<$kind>)? {
+        impl $(<$kind>)? $crate::input::rows::RangedKey for $table $(<$kind>)? {
             fn visit(
                 stated: Option<&Self>,
                 at: $crate::input::rows::KeyPath<'_>,
@@ -338,12 +338,12 @@ macro_rules! limits {
                             usual: $usual,
                             possible: $possible,
                         };
-                        let numbers = value.map(|value| $crate::input::rows::Numbers::numbers(value, $unit));
+                        let numbers = value.map(|value| $crate::input::rows::KeyNumbers::numbers(value, $unit));
                         judge(key, &limits, &numbers.unwrap_or_default());
                     )?
                     $(
                         $crate::input::rows::opened!($inner);
-                        $crate::input::rows::Ranged::visit(value, key, judge);
+                        $crate::input::rows::RangedKey::visit(value, key, judge);
                     )?
                 )*
                 $($(
@@ -416,12 +416,12 @@ impl Checkable for Length {
 
 /// Value of a key as a case states it, and the default that its formulation states.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Stated<T> {
+pub(crate) struct StatedRow<T> {
     pub by_case: Option<T>,
     pub by_formulation: Option<T>,
 }
 
-impl<T> Stated<T> {
+impl<T> StatedRow<T> {
     /// The value of a key that has no default of its own.
     pub fn value(self) -> Option<T> {
         self.by_case.or(self.by_formulation)
@@ -482,7 +482,7 @@ macro_rules! choices {
             ) -> Result<Self, $crate::source::case_error::CaseError> {
                 $(
                     let key = concat!($table, ".", stringify!($name));
-                    let values = $crate::input::rows::Stated {
+                    let values = $crate::input::rows::StatedRow {
                         by_case: Clone::clone(&stated.$name),
                         by_formulation: Clone::clone(&by_formulation.$name),
                     };

@@ -5,7 +5,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::rows::{Judge, KeyPath, Ranged, table};
+use super::rows::{Judge, KeyPath, RangedKey, table};
 
 /// Engagements of a running-in: one, and more than the life of any gear.
 pub(crate) const ENGAGEMENTS: [f64; 2] = [1.0, 1e10];
@@ -46,7 +46,7 @@ impl RunningInEntry {
     }
 }
 
-impl Ranged for RunningInEntry {
+impl RangedKey for RunningInEntry {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         let stated = stated.and_then(|entry| entry.stated());
         RunningInInput::visit(stated.as_ref(), at, judge);

@@ -9,7 +9,7 @@ use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::flank_place::{FlankPlaceInput, TraceStart};
-use super::rows::{Judge, KeyPath, Ranged, table};
+use super::rows::{Judge, KeyPath, RangedKey, table};
 
 /// Traces of one flank: `"pinion_*.csv"`, or a list of files and of tables.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -63,7 +63,7 @@ table! {
     engagements: Option<f64> = "" usual [1.0, 1e10] possible [1e-3, 1e15];
 }
 
-impl Ranged for TraceList {
+impl RangedKey for TraceList {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         match stated {
             Some(Self::List(entries)) => Vec::visit(Some(entries), at, judge),
@@ -73,7 +73,7 @@ impl Ranged for TraceList {
     }
 }
 
-impl Ranged for TraceEntry {
+impl RangedKey for TraceEntry {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         if let Some(Self::Table(trace)) = stated {
             TraceInput::visit(Some(trace), at, judge);

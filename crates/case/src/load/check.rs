@@ -120,9 +120,10 @@ fn readable(
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<(CaseInput, Mending)> {
-    let right = match names_meshes(source) {
-        true => VALID_OF_NAMED,
-        false => VALID,
+    let right = if names_meshes(source) {
+        VALID_OF_NAMED
+    } else {
+        VALID
     };
     let mut mending = Mending {
         right: right.parse().ok()?,

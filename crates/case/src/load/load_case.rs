@@ -61,7 +61,7 @@ impl Train {
     ) -> Result<Self, Error> {
         let mut source = source;
         let files = Files::holding(folder, contents);
-        let loaded = read(&mut source, (files, None), set, change);
+        let loaded = read(&mut source, files, None, set, change);
         loaded.map_err(|error| Error::in_text(error, source))
     }
 
@@ -83,8 +83,7 @@ impl Train {
     /// As for [`load`](Self::load), or when the resolver refuses a file.
     pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Self, Error> {
         let mut source = Source::from_bytes(name, text.as_bytes())?;
-        let files = (Files::default(), Some(resolver));
-        let loaded = read(&mut source, files, &[], &|_| {});
+        let loaded = read(&mut source, Files::default(), Some(resolver), &[], &|_| {});
         loaded.map_err(|error| Error::in_text(error, source))
     }
 }
@@ -92,7 +91,8 @@ impl Train {
 /// The case in `source` with keys set past the text and a change of every mesh; `resolver` gives files that are not held.
 fn read(
     source: &mut Source,
-    (mut files, resolver): (Files, Option<Resolver<'_>>),
+    mut files: Files,
+    resolver: Option<Resolver<'_>>,
     set: &[(String, String)],
     change: Change<'_>,
 ) -> Result<Train, CaseError> {

@@ -60,7 +60,7 @@ const TAIL: &str = "\
 ";
 
 /// A key with its row of the page.
-struct Key {
+struct PageKey {
     path: String,
     takes: String,
     meaning: String,
@@ -93,7 +93,7 @@ pub fn markdown() -> Result<String, Error> {
     let (tables, keys): (Vec<_>, Vec<_>) = tables
         .into_iter()
         .partition(|(_, node)| is_table(&schema, node));
-    let top: Vec<Key> = keys
+    let top: Vec<PageKey> = keys
         .into_iter()
         .map(|(name, node)| key(&schema, name, node))
         .collect();
@@ -128,7 +128,7 @@ fn section(
     page: &mut String,
     title: &str,
     text: &str,
-    keys: &[Key],
+    keys: &[PageKey],
     defaults: &BTreeMap<&str, &str>,
 ) {
     page.push_str(&format!("\n## {title}\n\n"));
@@ -149,7 +149,7 @@ fn section(
 }
 
 /// The keys below `node`, with tables opened; the flank of the pinion describes that of the wheel.
-fn collect(schema: &Value, path: &str, node: &Value, keys: &mut Vec<Key>) {
+fn collect(schema: &Value, path: &str, node: &Value, keys: &mut Vec<PageKey>) {
     for (name, inner) in properties(schema, node) {
         let path = format!("{path}.{name}");
         let is_twin = matches!(
@@ -159,7 +159,7 @@ fn collect(schema: &Value, path: &str, node: &Value, keys: &mut Vec<Key>) {
         if is_table(schema, inner) && !is_twin {
             collect(schema, &path, inner, keys);
         } else if is_twin {
-            keys.push(Key {
+            keys.push(PageKey {
                 takes: "the keys of the pinion".to_owned(),
                 meaning: text_of(inner),
                 path,
@@ -170,8 +170,8 @@ fn collect(schema: &Value, path: &str, node: &Value, keys: &mut Vec<Key>) {
     }
 }
 
-fn key(schema: &Value, path: &str, node: &Value) -> Key {
-    Key {
+fn key(schema: &Value, path: &str, node: &Value) -> PageKey {
+    PageKey {
         path: path.to_owned(),
         takes: takes(schema, node),
         meaning: text_of(node),

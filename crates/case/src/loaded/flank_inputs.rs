@@ -47,8 +47,7 @@ impl FlankInputs {
         let stated = &case.input.gears;
         let form_of_trace = [&stated.pinion, &stated.wheel]
             .map(|flank| flank.as_ref().is_some_and(GearFlankInput::is_from_trace));
-        let operation = (case.torque, case.speed);
-        let form = || shortest_form(&case.gears, operation, case.modulus);
+        let form = || shortest_form(&case.gears, case.torque, case.speed, case.modulus);
         let law = case.named_share();
         let solves = case.formulation.pressures().is_none();
         Self {
@@ -61,11 +60,7 @@ impl FlankInputs {
                 _ => form().map(Some),
             },
             largest_spacing: largest_spacing(&case.gears, case.torque, case.modulus),
-            needed_length: needed_length(
-                &case.gears,
-                (case.torque, case.modulus),
-                case.model.window,
-            ),
+            needed_length: needed_length(&case.gears, case.torque, case.modulus, case.model.window),
             preparation: case.preparation,
             lay: case.input.model.lay.map(OneOrTwo::both),
             solves_contact: solves

@@ -28,14 +28,14 @@ pub(crate) struct Listed {
     /// Engagements until it was measured.
     pub engagements: Option<f64>,
     /// The trace, if it was generated.
-    pub generated: Option<Generated>,
+    pub generated: Option<GeneratedSample>,
     /// The scan that it is a row of, if this was read for its rows.
     pub scan: Option<Scan>,
 }
 
 /// A generated trace.
 #[derive(Debug, Clone)]
-pub(crate) struct Generated {
+pub(crate) struct GeneratedSample {
     /// Its heights, with the filters of the first measured trace.
     pub heights: Arc<HeldTrace>,
     pub record: GeneratedRecord,
@@ -69,14 +69,15 @@ impl Listed {
 /// The traces that the list of a flank names, which is at `key` of its table.
 pub(crate) fn listed(
     flank: &FlankInput,
-    (key, list): (&str, &TraceList),
+    key: &str,
+    list: &TraceList,
     section: Section<'_>,
     files: &Reader<'_>,
 ) -> Result<Vec<Listed>, CaseError> {
     let conflict = |rule| section.conflict(key, rule);
     let mut named: Vec<TraceInput> = Vec::new();
     for entry in list.entries() {
-        let files = matching(&entry.file, (key, section), files)?.into_iter();
+        let files = matching(&entry.file, key, section, files)?.into_iter();
         named.extend(files.map(|file| TraceInput {
             file,
             ..entry.clone()
@@ -188,7 +189,8 @@ pub(crate) fn rows(
 /// Files whose names match `path`, sorted.
 fn matching(
     path: &Path,
-    (key, section): (&str, Section<'_>),
+    key: &str,
+    section: Section<'_>,
     reader: &Reader<'_>,
 ) -> Result<Vec<PathBuf>, CaseError> {
     if !is_pattern(path) {

@@ -46,7 +46,7 @@ impl Context<'_> {
         self,
         input: &FlankInput,
         file: &Path,
-        keys: &Keys,
+        keys: &FlankKeys,
     ) -> Result<Option<Scan>, CaseError> {
         // Keys that choose a line do not change the surface.
         let options = ReadOptions {
@@ -57,24 +57,24 @@ impl Context<'_> {
             ..read_options(input)
         };
         let outliers = self.inputs.surface.outliers;
-        let named = (file, &keys.file);
+        let (files, source) = (self.files, self.source);
         self.scans
-            .read(named, options, outliers, (self.files, self.source))
+            .read(file, keys.file.clone(), options, outliers, files, source)
     }
 }
 
 /// A flank, and the values of it that follow from others.
-pub(crate) type Known = (Flank, Vec<DefaultUsed>);
+pub(crate) type KnownTrace = (Flank, Vec<DefaultUsed>);
 
 /// Table of a flank in the case file, and the keys at which file and place of a trace are stated.
 #[derive(Clone)]
-pub(crate) struct Keys {
+pub(crate) struct FlankKeys {
     pub table: &'static str,
     pub file: Cow<'static, str>,
     pub at: Cow<'static, str>,
 }
 
-impl Keys {
+impl FlankKeys {
     /// The list of traces.
     pub(crate) fn traces(&self) -> Cow<'static, str> {
         format!("{}.traces", self.table).into()
@@ -82,16 +82,17 @@ impl Keys {
 }
 
 /// The keys of pinion and wheel; the wheel may use the trace of the pinion.
-pub(crate) fn keys_of(side: Side, wheel_has_its_own: bool) -> [Keys; 2] {
+pub(crate) fn keys_of(side: Side, wheel_has_its_own: bool) -> [FlankKeys; 2] {
     let tables = match side {
         Side::Drive => ["surface.pinion", "surface.wheel"],
         Side::Coast => ["surface.coast.pinion", "surface.coast.wheel"],
     };
-    let files = match wheel_has_its_own {
-        true => tables,
-        false => [tables[0]; 2],
+    let files = if wheel_has_its_own {
+        tables
+    } else {
+        [tables[0]; 2]
     };
-    [0, 1].map(|body: usize| Keys {
+    [0, 1].map(|body: usize| FlankKeys {
         table: tables[body],
         file: format!("{}.file", files[body]).into(),
         at: format!("{}.at", tables[body]).into(),
@@ -101,7 +102,7 @@ pub(crate) fn keys_of(side: Side, wheel_has_its_own: bool) -> [Keys; 2] {
 /// The traces that the keys of a flank name; a single one without a list.
 pub(crate) fn traces_of(
     input: &FlankInput,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
 ) -> Result<Vec<Listed>, CaseError> {
     let section = Section::new(context.source, keys.table);
@@ -125,22 +126,22 @@ pub(crate) fn traces_of(
         let rule = "is given instead of file and of rq, ra and rz; give one of them";
         return Err(section.conflict("traces", rule));
     }
-    flank_sample::listed(input, ("traces", list), section, context.files)
+    flank_sample::listed(input, "traces", list, section, context.files)
 }
 
 /// Reads and prepares a trace, or takes the roughness values of a flank without one.
 pub(crate) fn flank(
     listed: &Listed,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
-) -> Result<Known, CaseError> {
+) -> Result<KnownTrace, CaseError> {
     let section = Section::new(context.source, keys.table);
     let input = &listed.input;
     let value = input.rq.or(input.ra).or(input.rz);
     if let Some(generated) = &listed.generated {
         let name = generated.record.to_string();
-        return trace(listed, (&name, &name), keys, context, warnings);
+        return trace(listed, &name, &name, keys, context, warnings);
     }
     match (&input.file, value) {
         (Some(_), Some(_)) if input.rq.is_some() => {
@@ -169,12 +170,12 @@ pub(crate) fn flank(
                 Some(last) => last.to_string_lossy().into_owned(),
                 None => name.clone(),
             };
-            trace(listed, (&name, &short), &keys, context, warnings)
+            trace(listed, &name, &short, &keys, context, warnings)
         }
     }
 }
 
-fn values(input: &FlankInput, section: Section<'_>) -> Result<Known, CaseError> {
+fn values(input: &FlankInput, section: Section<'_>) -> Result<KnownTrace, CaseError> {
     let checked = |key: &str, name, length: Option<Length>| {
         let checked = length.map(|length| DomainError::positive(name, length));
         checked.transpose().map_err(section.domain(key))
@@ -228,11 +229,12 @@ fn values(input: &FlankInput, section: Section<'_>) -> Result<Known, CaseError> 
 
 fn trace(
     listed: &Listed,
-    (name, short): (&str, &str),
-    keys: &Keys,
+    name: &str,
+    short: &str,
+    keys: &FlankKeys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
-) -> Result<Known, CaseError> {
+) -> Result<KnownTrace, CaseError> {
     let (inputs, input) = (context.inputs, &listed.input);
     let gear = gear_of(keys.table);
     let mut source = Opened::new(listed, keys, context)?;
@@ -244,16 +246,15 @@ fn trace(
         place: stated_place(input.from, input.at, input.mirrored),
         filters: inputs.filters(),
         needed_of_scan: listed.scan.as_ref().map(|_| inputs.needed_length),
-        shortest_form: match inputs.has_form_of_trace(gear) {
-            false => None,
-            true => {
-                let shortest = inputs.shortest_form.clone();
-                shortest.map_err(|error| no_form(error, name, keys, context))?
-            }
+        shortest_form: if inputs.has_form_of_trace(gear) {
+            let shortest = inputs.shortest_form.clone();
+            shortest.map_err(|error| no_form(error, name, keys, context))?
+        } else {
+            None
         },
     };
-    let prepared = prepared_trace(source.content(), of_trace, (&inputs.gears, gear));
-    let prepared = prepared.map_err(|error| placed(error, (name, short), keys, context))?;
+    let prepared = prepared_trace(source.content(), of_trace, &inputs.gears, gear);
+    let prepared = prepared.map_err(|error| placed(error, name, short, keys, context))?;
     let PreparedTrace {
         mut flank,
         filters,
@@ -300,7 +301,7 @@ struct Opened {
 }
 
 impl Opened {
-    fn new(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Self, CaseError> {
+    fn new(listed: &Listed, keys: &FlankKeys, context: Context<'_>) -> Result<Self, CaseError> {
         if let Some(generated) = &listed.generated {
             return Ok(Self {
                 source: Err(Content::Heights(generated.heights.clone())),
@@ -341,7 +342,7 @@ impl Opened {
 }
 
 /// Values of the filters that a file states, or that follow from the place of its trace.
-fn stated(filters: &Filters, assumed_from: bool, file: &str, keys: &Keys) -> Vec<DefaultUsed> {
+fn stated(filters: &Filters, assumed_from: bool, file: &str, keys: &FlankKeys) -> Vec<DefaultUsed> {
     let mut stated: Vec<DefaultUsed> = Vec::new();
     for (key, of_file) in CUTOFFS.into_iter().zip(filters.of_file) {
         stated.extend(of_file.map(|of_file| DefaultUsed {
@@ -441,8 +442,9 @@ fn parted(filters: &Filters, gear: Gear) -> Option<Warning> {
 /// An error of the trace `name` at the key that is to blame.
 pub(crate) fn placed(
     error: TraceError,
-    (name, short): (&str, &str),
-    keys: &Keys,
+    name: &str,
+    short: &str,
+    keys: &FlankKeys,
     context: Context<'_>,
 ) -> CaseError {
     let source = context.source;
@@ -466,7 +468,7 @@ pub(crate) fn placed(
 }
 
 /// The error at the key of the relief of a gear, whose trace in `file` has no form.
-fn no_form(error: FormError, file: &str, keys: &Keys, context: Context<'_>) -> CaseError {
+fn no_form(error: FormError, file: &str, keys: &FlankKeys, context: Context<'_>) -> CaseError {
     let key = match gear_of(keys.table) {
         Gear::Pinion => "gears.pinion.relief",
         Gear::Wheel => "gears.wheel.relief",

@@ -16,7 +16,7 @@ use asperity_gear::MeasuredForm;
 
 use super::flank_inputs::FlankInputs;
 use super::flank_sample::Listed;
-use super::flank_trace::{Context, Keys, Known, flank};
+use super::flank_trace::{Context, FlankKeys, KnownTrace, flank};
 use super::lay::{Lays, lays};
 use super::named_traces::NamedTraces;
 use super::scan_choice::{Taken, taken};
@@ -82,7 +82,7 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
     let known_of = |named: &NamedTraces, body: usize, warnings: &mut Vec<Warning>| {
         let each = named.lists[body].iter();
         let each = each.map(|trace| flank(trace, &named.keys[body], context, warnings));
-        each.collect::<Result<Vec<Known>, CaseError>>()
+        each.collect::<Result<Vec<KnownTrace>, CaseError>>()
     };
     let Taken {
         known,
@@ -90,7 +90,7 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
         is_patch,
     } = taken(&mut named, context, known_of, &mut warnings)?;
     let of_teeth = named.lists.iter().zip(&named.keys).take(named.stated());
-    warnings.extend(of_teeth.filter_map(of_one_tooth));
+    warnings.extend(of_teeth.filter_map(|(list, keys)| of_one_tooth(list, keys)));
     let is_several = named.lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     let mut follow: [Vec<Vec<DefaultUsed>>; 2] = Default::default();
@@ -119,15 +119,18 @@ fn both(context: Context<'_>) -> Result<Flanks, CaseError> {
             assumed.push(default);
         }
     }
-    let sheets = match is_patch {
-        true => Some(sheets_of(
+    let sheets = if is_patch {
+        Some(sheets_of(
             context,
             &named.lists,
             &mut flanks,
-            (&named.keys, is_scan, &lays),
+            &named.keys,
+            is_scan,
+            &lays,
             &mut warnings,
-        )?),
-        false => None,
+        )?)
+    } else {
+        None
     };
     let first_file = |body: usize| {
         flanks[body]
@@ -170,7 +173,7 @@ fn keep_first(warnings: &mut Vec<Warning>) {
 }
 
 /// W447: traces of a list that are lines of one surface, which is of one tooth.
-fn of_one_tooth((list, keys): (&Vec<Listed>, &Keys)) -> Option<Warning> {
+fn of_one_tooth(list: &[Listed], keys: &FlankKeys) -> Option<Warning> {
     let file = |trace: &Listed| trace.input.file.clone();
     let mut others = list.iter().enumerate().skip(1);
     let shared = others
@@ -220,7 +223,7 @@ fn met(
         like: named.like(),
     };
     let is_several = flanks.iter().any(|flanks| flanks.len() > 1);
-    let pairs = is_several.then(|| meeting.pairs(sites, named.teeth, (&zones, width)));
+    let pairs = is_several.then(|| meeting.pairs(sites, named.teeth, &zones, width));
     let surfaces = pairs.and_then(Surfaces::of_pairs);
     Ok((surfaces.unwrap_or_else(|| meeting.surfaces([0, 0])), zones))
 }
@@ -285,7 +288,7 @@ fn check_across(
     inputs: &FlankInputs,
     sites: [&[TraceSite]; 2],
     zones: &[f64],
-    keys: &[Keys; 2],
+    keys: &[FlankKeys; 2],
     source: &Source,
 ) -> Result<(), CaseError> {
     let width = inputs.gears.face_width;
@@ -301,12 +304,13 @@ fn check_across(
                 .map_err(domain(source, keys.traces()))?;
         }
     }
-    match inputs.has_one_position && !zones.is_empty() {
-        false => Ok(()),
-        true => Err(CaseError::Conflict {
+    if inputs.has_one_position && !zones.is_empty() {
+        Err(CaseError::Conflict {
             place: source.place_of(&keys[0].traces()),
             key: keys[0].traces(),
             rule: "y tells traces of one tooth apart across the face, and a single position represents the mesh",
-        }),
+        })
+    } else {
+        Ok(())
     }
 }

@@ -12,8 +12,8 @@ use asperity_flanks::trace::{TraceContent, TraceInputs, measured};
 use asperity_flanks::trace_sites::TraceSite;
 use asperity_roughness::generate::{Like, Method, State};
 
-use super::flank_sample::{Generated, Listed, listed};
-use super::flank_trace::{Context, Keys, gear_of, placed, read_options};
+use super::flank_sample::{GeneratedSample, Listed, listed};
+use super::flank_trace::{Context, FlankKeys, gear_of, placed, read_options};
 use crate::input::case_input::FlankInput;
 use crate::input::files::{Content, HeldTrace};
 use crate::input::flank_place::stated_place;
@@ -26,14 +26,14 @@ use crate::source::section::Section;
 const SEED: u32 = 1;
 
 /// The flanks wanted between the measured stages of a test.
-struct Wanted {
+struct WantedTrace {
     /// Traces after each stage, in the order of the stages.
-    after: Vec<Measured>,
+    after: Vec<MeasuredProfile>,
     state: State,
 }
 
 /// A measured trace as it is read.
-struct Measured {
+struct MeasuredProfile {
     profile: Profile,
     trace: MeasuredTrace,
     statements: Statements,
@@ -43,7 +43,7 @@ struct Measured {
 pub(crate) fn generated(
     input: &FlankInput,
     list: &TraceList,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Vec<Listed>, CaseError> {
@@ -53,7 +53,7 @@ pub(crate) fn generated(
         let rule = "is given instead of file, traces, rows, rq, ra and rz; give one of them";
         return Err(section.conflict("like", rule));
     }
-    let before = measured_traces(input, ("like", list), keys, context)?;
+    let before = measured_traces(input, "like", list, keys, context)?;
     let wanted = wanted(input, before.len(), keys, context)?;
     let refused =
         |fault: &Fault| CaseError::not_generated(section.place("like"), section.key("like"), fault);
@@ -111,7 +111,7 @@ pub(crate) fn generated(
             },
             scan: None,
             engagements: None,
-            generated: Some(Generated {
+            generated: Some(GeneratedSample {
                 heights: Arc::new(HeldTrace {
                     profile: made.generated.profile,
                     statements: statements.clone(),
@@ -128,8 +128,8 @@ pub(crate) fn generated(
 }
 
 /// The maker of flanks like traces before a test, or in a state of it.
-fn maker(before: &[Measured], wanted: Option<&Wanted>) -> Result<Like, Fault> {
-    let profiles = |traces: &[Measured]| -> Vec<Profile> {
+fn maker(before: &[MeasuredProfile], wanted: Option<&WantedTrace>) -> Result<Like, Fault> {
+    let profiles = |traces: &[MeasuredProfile]| -> Vec<Profile> {
         traces.iter().map(|trace| trace.profile.clone()).collect()
     };
     let before = profiles(before);
@@ -143,9 +143,9 @@ fn maker(before: &[Measured], wanted: Option<&Wanted>) -> Result<Like, Fault> {
 fn wanted(
     input: &FlankInput,
     places: usize,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
-) -> Result<Option<Wanted>, CaseError> {
+) -> Result<Option<WantedTrace>, CaseError> {
     let section = Section::new(context.source, keys.table);
     let Some(list) = &input.after else {
         let rule = "needs after, the traces after the test";
@@ -155,10 +155,10 @@ fn wanted(
             _ => Ok(None),
         };
     };
-    let mut after = measured_traces(input, ("after", list), keys, context)?;
-    let stated = |trace: &Measured| trace.trace.engagements;
+    let mut after = measured_traces(input, "after", list, keys, context)?;
+    let stated = |trace: &MeasuredProfile| trace.trace.engagements;
     after.sort_by(|a, b| stated(a).partial_cmp(&stated(b)).unwrap_or(Ordering::Equal));
-    let by_stage: Vec<&[Measured]> = after.chunk_by(|a, b| stated(a) == stated(b)).collect();
+    let by_stage: Vec<&[MeasuredProfile]> = after.chunk_by(|a, b| stated(a) == stated(b)).collect();
     if by_stage.iter().any(|stage| stage.len() != places) {
         let rule = "needs a trace for each of like and stage, in the same order; traces of several stages state their engagements";
         return Err(section.conflict("after", rule));
@@ -179,7 +179,7 @@ fn wanted(
         }
     };
     let state = State::stated(input.state, input.engagements, &stages);
-    Ok(Some(Wanted {
+    Ok(Some(WantedTrace {
         state: state.map_err(section.domain(key))?,
         after,
     }))
@@ -188,12 +188,13 @@ fn wanted(
 /// The traces that the list at a key names.
 fn measured_traces(
     input: &FlankInput,
-    (key, list): (&str, &TraceList),
-    keys: &Keys,
+    key: &str,
+    list: &TraceList,
+    keys: &FlankKeys,
     context: Context<'_>,
-) -> Result<Vec<Measured>, CaseError> {
+) -> Result<Vec<MeasuredProfile>, CaseError> {
     let section = Section::new(context.source, keys.table);
-    let traces = listed(input, (key, list), section, context.files)?;
+    let traces = listed(input, key, list, section, context.files)?;
     let is_placed = |trace: &Listed| trace.input.at.is_some() || trace.input.from.is_some();
     let is_sited = |trace: &Listed| trace.site.number.is_some() || trace.site.y.is_some();
     let mut all = traces.iter();
@@ -201,7 +202,7 @@ fn measured_traces(
         let rule = "makes flanks without a tooth or place; leave tooth, y, at and from out";
         return Err(section.conflict(key, rule));
     }
-    let keys = Keys {
+    let keys = FlankKeys {
         file: section.key(key),
         ..keys.clone()
     };
@@ -217,7 +218,11 @@ fn seed_of(seed: u32, table: &str, k: usize) -> u64 {
 }
 
 /// Reads a measured trace.
-fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, CaseError> {
+fn read(
+    listed: &Listed,
+    keys: &FlankKeys,
+    context: Context<'_>,
+) -> Result<MeasuredProfile, CaseError> {
     let input = &listed.input;
     let file = input.file.as_deref().unwrap_or(Path::new(""));
     let name = file.display().to_string();
@@ -239,10 +244,10 @@ fn read(listed: &Listed, keys: &Keys, context: Context<'_>) -> Result<Measured, 
         needed_of_scan: None,
         shortest_form: None,
     };
-    let gears = (&context.inputs.gears, gear_of(keys.table));
-    let (profile, statements) = measured(content, inputs, gears)
-        .map_err(|error| placed(error, (&name, &name), keys, context))?;
-    Ok(Measured {
+    let gears = &context.inputs.gears;
+    let (profile, statements) = measured(content, inputs, gears, gear_of(keys.table))
+        .map_err(|error| placed(error, &name, &name, keys, context))?;
+    Ok(MeasuredProfile {
         profile,
         trace: MeasuredTrace {
             file: name,

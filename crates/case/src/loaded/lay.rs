@@ -7,7 +7,7 @@ use asperity_flanks::trace::Flank;
 use asperity_roughness::lay::RowLay;
 
 use super::flank_sample::Listed;
-use super::flank_trace::{Context, Keys};
+use super::flank_trace::{Context, FlankKeys};
 use crate::source::defaults::DefaultUsed;
 use asperity_core::message::Warning;
 use asperity_ehl_regime::Lay;
@@ -57,7 +57,7 @@ impl Lays {
 pub(crate) fn median_lay(
     listed: &Listed,
     flank: &Flank,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
 ) -> Option<Lay> {
     let found = of_surface(listed, flank, keys, context)?.finding.ok()?;
@@ -69,10 +69,10 @@ pub(crate) fn lays(
     context: Context<'_>,
     lists: &[Vec<Listed>; 2],
     flanks: &[Vec<Flank>; 2],
-    keys: &[Keys; 2],
+    keys: &[FlankKeys; 2],
     warnings: &mut Vec<Warning>,
 ) -> Lays {
-    let mut measured: Vec<Option<Measured>> = Vec::with_capacity(2);
+    let mut measured: Vec<Option<MeasuredLay>> = Vec::with_capacity(2);
     for (body, keys) in keys.iter().enumerate() {
         let (Some(listed), Some(flank)) = (lists[body].first(), flanks[body].first()) else {
             return Lays::ASSUMED;
@@ -81,9 +81,10 @@ pub(crate) fn lays(
             && lists[0]
                 .first()
                 .is_some_and(|first| is_of_same_surface(first, listed));
-        let found = match same {
-            true => measured[0].clone(),
-            false => of_surface(listed, flank, keys, context),
+        let found = if same {
+            measured[0].clone()
+        } else {
+            of_surface(listed, flank, keys, context)
         };
         measured.push(found);
     }
@@ -96,7 +97,7 @@ pub(crate) fn lays(
         let name = ["pinion", "wheel"][body];
         let text = match found {
             None => "assumed, 0 to 1/6".to_owned(),
-            Some(Measured { file, finding }) => match finding {
+            Some(MeasuredLay { file, finding }) => match finding {
                 Ok(lay) => match FlankLay::from_rows(lay) {
                     Some(own) => {
                         of_flanks[body] = own;
@@ -129,12 +130,12 @@ pub(crate) fn lays(
 
 /// Finding on the surface of a flank.
 #[derive(Clone, PartialEq)]
-struct Measured {
+struct MeasuredLay {
     file: String,
     finding: Result<RowLay, String>,
 }
 
-impl Measured {
+impl MeasuredLay {
     /// W444 if the lay is not known, or above the range of the law of the inlet.
     fn warning(&self, flank: &str) -> Option<Warning> {
         let file = &self.file;
@@ -188,9 +189,9 @@ fn unknown(file: &str, reason: &str) -> String {
 fn of_surface(
     listed: &Listed,
     flank: &Flank,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
-) -> Option<Measured> {
+) -> Option<MeasuredLay> {
     let input = &listed.input;
     let file = input.file.as_ref()?;
     let reading = flank.report.reading.as_ref()?;
@@ -201,7 +202,7 @@ fn of_surface(
     let line = input.line.unwrap_or_default();
     let (along, record) = (reading.profile.spacing(), flank.report.preparation.as_ref());
     let finding = lay_of_surface(&scan.surface, line, along, record)?;
-    Some(Measured {
+    Some(MeasuredLay {
         file: scan.surface.name.clone(),
         finding,
     })

@@ -22,7 +22,7 @@ use crate::input::gearbox_input::GearboxInput;
 use crate::input::law_names::{FullFilmName, LoadShareName};
 use crate::laws::Laws;
 use crate::resolved::gearbox::{Gearbox, MeshPlace};
-use crate::resolved::oil_at::OilAt;
+use crate::resolved::oil_at::OilAtTemperature;
 use crate::resolved::oil_file::OilFile;
 use crate::resolved::overrides::Overrides;
 use crate::resolved::plausibility::{
@@ -51,7 +51,7 @@ pub struct LoadedCase {
     /// The case without overrides.
     stated: Arc<Case>,
     /// The oil at the temperature that the case states.
-    oil: Arc<OilAt>,
+    oil: Arc<OilAtTemperature>,
     /// Values that follow from keys and files, each with its inputs.
     derived: Arc<DerivedValues>,
     /// Name of the case, for messages about what is changed.
@@ -142,7 +142,7 @@ impl DerivedValues {
 
 /// Values of a case for the cases that are changed from it.
 #[derive(Debug)]
-pub(crate) struct Kept {
+pub(crate) struct KeptParts {
     laws: Laws,
     overrides: Overrides,
     values: DerivedValues,
@@ -357,7 +357,7 @@ impl LoadedCase {
     }
 
     /// The oil at a temperature, without overrides.
-    pub(super) fn oil_at(&self, at: Temperature) -> Result<Arc<OilAt>, Error> {
+    pub(super) fn oil_at(&self, at: Temperature) -> Result<Arc<OilAtTemperature>, Error> {
         if at == self.stated.stated_temperature {
             return Ok(Arc::clone(&self.oil));
         }
@@ -425,7 +425,7 @@ impl LoadedCase {
     }
 
     /// The values that a changed case keeps where their inputs are equal, with the flanks as they are now.
-    fn kept(&self) -> Kept {
+    fn kept(&self) -> KeptParts {
         let mut values = DerivedValues::clone(&self.derived);
         values.flanks = values.flanks.with(|flanks| Flanks {
             surfaces: self.surfaces.clone(),
@@ -433,7 +433,7 @@ impl LoadedCase {
             sampled: self.sampled.clone(),
             ..flanks
         });
-        Kept {
+        KeptParts {
             laws: self.case.laws.clone(),
             overrides: self.case.overrides.clone(),
             values,
@@ -484,7 +484,7 @@ pub(crate) fn complete(
     input: CaseInput,
     source: &Source,
     files: Arc<Files>,
-    kept: Option<Kept>,
+    kept: Option<KeptParts>,
 ) -> Result<LoadedCase, CaseError> {
     let provenance = Provenance::new();
     let known = kept.as_ref().map(|kept| &kept.values);
@@ -693,7 +693,7 @@ fn gearbox_of_one_mesh(
     };
     let reader = Reader::new(files);
     let places = vec![MeshPlace::default()];
-    let parts = stated.gearbox(places, &Shafting::shafts_of_one_mesh(), (source, &reader))?;
+    let parts = stated.gearbox(places, &Shafting::shafts_of_one_mesh(), source, &reader)?;
     Ok((Some(parts), reader.into_sums().into()))
 }
 

@@ -11,7 +11,7 @@ use asperity_flanks::trace_sites::{TraceSite, paired, teeth as teeth_of};
 
 use super::flank_sample;
 use super::flank_sample::Listed;
-use super::flank_trace::{Context, Keys, keys_of, traces_of};
+use super::flank_trace::{Context, FlankKeys, keys_of, traces_of};
 use super::generated::generated;
 use crate::input::case_input::FlankInput;
 use crate::source::case_error::CaseError;
@@ -21,7 +21,7 @@ use crate::source::source_text::Source;
 /// The traces that the keys of a flank name, or traces generated like them.
 fn named(
     input: &FlankInput,
-    keys: &Keys,
+    keys: &FlankKeys,
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Vec<Listed>, CaseError> {
@@ -47,7 +47,7 @@ fn named(
 
 /// The traces that the keys of both flanks name.
 pub(crate) struct NamedTraces {
-    pub keys: [Keys; 2],
+    pub keys: [FlankKeys; 2],
     /// Whether the wheel has keys of its own.
     has_own_wheel: bool,
     pub lists: [Vec<Listed>; 2],
@@ -167,9 +167,12 @@ impl NamedTraces {
 
 /// W427: teeth that are in no pair.
 fn left_out(named: [usize; 2], teeth: [usize; 2], of_rows: [bool; 2]) -> Warning {
-    let which = |body: usize| match of_rows[body] {
-        true => format!("{} rows spread evenly", teeth[body]),
-        false => format!("the first {}", teeth[body]),
+    let which = |body: usize| {
+        if of_rows[body] {
+            format!("{} rows spread evenly", teeth[body])
+        } else {
+            format!("the first {}", teeth[body])
+        }
     };
     Warning::new(
         Code::W427,

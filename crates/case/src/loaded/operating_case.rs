@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::input::case_input::CaseInput;
 use crate::resolved::bulk::BulkReport;
 use crate::resolved::constant::UncertainParameter;
-use crate::resolved::oil_at::OilAt;
+use crate::resolved::oil_at::OilAtTemperature;
 use crate::resolved::overrides::Overrides;
 use asperity_core::message::Warning;
 
@@ -36,7 +36,7 @@ pub struct OperatingCase {
     bulk: Temperature,
     report: Option<BulkReport>,
     /// The oil at the bulk temperature, without overrides.
-    nominal: Arc<OilAt>,
+    nominal: Arc<OilAtTemperature>,
     temperature: Temperature,
     oil: LubricantState,
     rheology: Option<FilmRheology>,
@@ -88,13 +88,14 @@ impl OperatingCase {
         loaded: LoadedCase,
         bulk: Temperature,
         report: Option<BulkReport>,
-        nominal: Arc<OilAt>,
+        nominal: Arc<OilAtTemperature>,
     ) -> Result<Self, Error> {
         let overrides = &loaded.case.overrides;
         let temperature = overrides.temperature(bulk);
-        let at = match temperature == bulk {
-            true => Arc::clone(&nominal),
-            false => loaded.oil_at(temperature)?,
+        let at = if temperature == bulk {
+            Arc::clone(&nominal)
+        } else {
+            loaded.oil_at(temperature)?
         };
         let of_curves = UncertainParameter::PressureViscosityFactor.measured(&loaded.case);
         let found = overrides.oil(&nominal.state, &at, of_curves.is_some());

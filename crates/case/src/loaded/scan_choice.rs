@@ -11,7 +11,7 @@ use asperity_flanks::sheets::{LEAST_ROWS, rows_of_patches};
 use asperity_flanks::surfaces::Texture;
 use asperity_profile_io::read::Gaps;
 
-use super::flank_trace::{Context, Known};
+use super::flank_trace::{Context, KnownTrace};
 use super::lay::{Lays, median_lay};
 use super::named_traces::NamedTraces;
 use super::sheets::{bridged, stepped, whole};
@@ -21,7 +21,7 @@ use crate::source::defaults::DefaultUsed;
 
 /// The flanks with the rows of scans that are computed.
 pub(crate) struct Taken {
-    pub known: [Vec<Known>; 2],
+    pub known: [Vec<KnownTrace>; 2],
     /// Whether the flank is a scan of which the case names no line.
     pub is_scan: [bool; 2],
     /// Whether patches are in contact.
@@ -32,10 +32,10 @@ pub(crate) struct Taken {
 pub(crate) fn taken(
     named: &mut NamedTraces,
     context: Context<'_>,
-    known_of: impl Fn(&NamedTraces, usize, &mut Vec<Warning>) -> Result<Vec<Known>, CaseError>,
+    known_of: impl Fn(&NamedTraces, usize, &mut Vec<Warning>) -> Result<Vec<KnownTrace>, CaseError>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Taken, CaseError> {
-    let mut known: [Vec<Known>; 2] = Default::default();
+    let mut known: [Vec<KnownTrace>; 2] = Default::default();
     let mut is_scan = [false; 2];
     let mut doubts: [Vec<Warning>; 2] = Default::default();
     for (body, known) in known.iter_mut().enumerate() {
@@ -46,16 +46,17 @@ pub(crate) fn taken(
         {
             is_scan[body] = named.take_middle_row(body, context)?;
         }
-        *known = match is_scan[body] {
-            false => found?,
-            true => known_of(named, body, &mut doubts[body])?,
+        *known = if is_scan[body] {
+            known_of(named, body, &mut doubts[body])?
+        } else {
+            found?
         };
     }
     let is_patch = takes_patch(context, named, &known, is_scan, warnings);
     let mut is_anew = [false; 2];
     for (body, known) in known.iter().enumerate() {
         if is_scan[body] && !is_patch {
-            let rows = scan_of_lines((body, named), known, context, warnings)?;
+            let rows = scan_of_lines(body, named, known, context, warnings)?;
             if rows > 1 {
                 named.take_rows(body, rows, context.source)?;
                 is_anew[body] = true;
@@ -137,10 +138,7 @@ impl NamedTraces {
         let rows = scans.map(|body| {
             let key = format!("{}.rows", self.keys[body].table).into();
             let is_open = |body| is_scan[body] && lays.measured(body).is_none();
-            let source = match context.inputs.lay.is_none() && (0..2).any(is_open) {
-                true => "at most 8, with the sampling error of the whole scan; a scan does not show its lay, assumed 0 to 1/6",
-                false => "as many as have the sampling error of the whole scan, at most 8",
-            };
+            let source = if context.inputs.lay.is_none() && (0..2).any(is_open) { "at most 8, with the sampling error of the whole scan; a scan does not show its lay, assumed 0 to 1/6" } else { "as many as have the sampling error of the whole scan, at most 8" };
             default(key, self.lists[body].len().to_string(), source)
         });
         rows.collect()
@@ -152,14 +150,14 @@ impl NamedTraces {
 fn takes_patch(
     context: Context<'_>,
     named: &NamedTraces,
-    known: &[Vec<Known>; 2],
+    known: &[Vec<KnownTrace>; 2],
     is_scan: [bool; 2],
     warnings: &mut Vec<Warning>,
 ) -> bool {
     if let Some(stated) = context.inputs.surface.contact {
         return stated == ContactName::Patch;
     }
-    let is_traced = |known: &[Known]| match known {
+    let is_traced = |known: &[KnownTrace]| match known {
         [(flank, _)] => matches!(flank.texture, Texture::Trace(_)),
         _ => false,
     };
@@ -200,15 +198,16 @@ fn takes_patch(
 
 /// Number of the rows of the scan of a flank, known by its middle row, that are computed as traces.
 fn scan_of_lines(
-    (body, named): (usize, &NamedTraces),
-    known: &[Known],
+    body: usize,
+    named: &NamedTraces,
+    known: &[KnownTrace],
     context: Context<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<usize, CaseError> {
     let ([listed], [(flank, _)]) = (named.lists[body].as_slice(), known) else {
         return Ok(1);
     };
-    let whole = whole(body, (listed, flank), &named.keys[body], context)?;
+    let whole = whole(body, listed, flank, &named.keys[body], context)?;
     warnings.extend(stepped(&whole, &flank.report));
     Ok(rows_needed(&whole))
 }

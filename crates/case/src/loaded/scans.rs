@@ -33,10 +33,12 @@ impl Scans {
     /// The scan in `file`, which is named at `key`, with spikes beyond `outliers` deviations replaced; `None` of heights in memory.
     pub(crate) fn read(
         &self,
-        (file, key): (&Path, &Cow<'static, str>),
+        file: &Path,
+        key: Cow<'static, str>,
         options: ReadOptions,
         outliers: Option<f64>,
-        (files, source): (&Reader<'_>, &Source),
+        files: &Reader<'_>,
+        source: &Source,
     ) -> Result<Option<Scan>, CaseError> {
         let name = file.display().to_string();
         let known = self.0.borrow();
@@ -50,7 +52,7 @@ impl Scans {
             return Ok(None);
         };
         let surface = read_surface_bytes(&name, &bytes, &options);
-        let place = || source.place_of(key);
+        let place = || source.place_of(&key);
         let mut surface = surface.map_err(|error| CaseError::profile(place(), &error))?;
         let mut spikes = None;
         if let (Some(deviations), Some(dx)) = (outliers, surface.dx) {

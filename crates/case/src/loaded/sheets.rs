@@ -18,7 +18,7 @@ use asperity_roughness::surface_preparation::{PreparedSurface, prepare_surface};
 use asperity_roughness::surface_step::step;
 
 use super::flank_sample::Listed;
-use super::flank_trace::{Context, Keys};
+use super::flank_trace::{Context, FlankKeys};
 use super::lay::Lays;
 use crate::source::case_error::CaseError;
 use crate::source::section::Section;
@@ -31,7 +31,9 @@ pub(crate) fn sheets_of(
     context: Context<'_>,
     lists: &[Vec<Listed>; 2],
     flanks: &mut [Vec<Flank>; 2],
-    (keys, is_scan, lays): (&[Keys; 2], [bool; 2], &Lays),
+    keys: &[FlankKeys; 2],
+    is_scan: [bool; 2],
+    lays: &Lays,
     warnings: &mut Vec<Warning>,
 ) -> Result<Arc<Sheets>, CaseError> {
     let section = Section::new(context.source, "surface");
@@ -65,12 +67,12 @@ pub(crate) fn sheets_of(
                 ],
                 (None, None) => ["assumed", ". State model.lay, or scan this flank as well"],
             };
-            warnings.push(made_from_trace(body, (&flank.report, made), of));
+            warnings.push(made_from_trace(body, &flank.report, made, of));
             flank.report.made_sheet = Some(made);
             return Ok(SheetSource::Trace(row.clone(), lay));
         }
         scans += 1;
-        let whole = whole(body, (listed, flank), &keys[body], context)?;
+        let whole = whole(body, listed, flank, &keys[body], context)?;
         warnings.extend(stepped(&whole, &flank.report));
         Ok(SheetSource::Scan(whole))
     };
@@ -97,7 +99,8 @@ pub(crate) fn sheets_of(
 /// W458: the surface of a flank that was made from its trace.
 fn made_from_trace(
     body: usize,
-    (report, made): (&FlankReport, MadeSheet),
+    report: &FlankReport,
+    made: MadeSheet,
     [origin, next]: [&str; 2],
 ) -> Warning {
     let file = report.file.as_deref().unwrap_or("the trace");
@@ -120,34 +123,34 @@ pub(crate) fn stepped(surface: &PreparedSurface, report: &FlankReport) -> Option
     let step = step(surface)?;
     let (file, height) = (report.file.as_deref().unwrap_or_default(), step.height);
     let spacing = surface.spacings[0];
-    let text = match step.is_across_rows {
-        false => format!(
-            "{file}: the rows of the scan rise or fall by {height:.3} at once, as where two fields are joined. The step counts as roughness"
-        ),
-        true => {
-            let points = surface.record.points_before[0];
-            let mut at = surface.record.dropped_each_end as f64 + step.place / spacing;
-            if report.mirrored {
-                at = points as f64 - at;
-            }
-            let cut = report
-                .reading
-                .as_ref()
-                .and_then(|reading| reading.cut.as_ref());
-            let start = cut.map_or(Length::default(), |cut| cut.start);
-            // A side as long as a wave of the step from it.
-            let away = LAMBDA_C.si() / 10.0;
-            let mm = |at: f64| 1e3 * (start.si() + at);
-            let [step, end] = [at, points as f64].map(|at| at * spacing.si());
-            let (from, to) = match 2.0 * step > end {
-                true => (mm(0.0), mm(step - away)),
-                false => (mm(step + away), mm(end)),
-            };
-            format!(
-                "{file}: all rows of the scan rise or fall by {height:.3} at {:.2} mm, as where two fields are joined. The step counts as roughness. Set range to {from:.2} mm .. {to:.2} mm to use the longer side",
-                mm(step)
-            )
+    let text = if step.is_across_rows {
+        let points = surface.record.points_before[0];
+        let mut at = surface.record.dropped_each_end as f64 + step.place / spacing;
+        if report.mirrored {
+            at = points as f64 - at;
         }
+        let cut = report
+            .reading
+            .as_ref()
+            .and_then(|reading| reading.cut.as_ref());
+        let start = cut.map_or(Length::default(), |cut| cut.start);
+        // A side as long as a wave of the step from it.
+        let away = LAMBDA_C.si() / 10.0;
+        let mm = |at: f64| 1e3 * (start.si() + at);
+        let [step, end] = [at, points as f64].map(|at| at * spacing.si());
+        let (from, to) = if 2.0 * step > end {
+            (mm(0.0), mm(step - away))
+        } else {
+            (mm(step + away), mm(end))
+        };
+        format!(
+            "{file}: all rows of the scan rise or fall by {height:.3} at {:.2} mm, as where two fields are joined. The step counts as roughness. Set range to {from:.2} mm .. {to:.2} mm to use the longer side",
+            mm(step)
+        )
+    } else {
+        format!(
+            "{file}: the rows of the scan rise or fall by {height:.3} at once, as where two fields are joined. The step counts as roughness"
+        )
     };
     Some(Warning::new(Code::W467, text))
 }
@@ -168,8 +171,9 @@ pub(crate) fn bridged(report: &FlankReport, share: f64) -> Option<Warning> {
 /// pinion: seen from the side of the pinion its points are reversed. Of a flank that is read from its other end the order changes once more.
 pub(crate) fn whole(
     body: usize,
-    (listed, flank): (&Listed, &Flank),
-    keys: &Keys,
+    listed: &Listed,
+    flank: &Flank,
+    keys: &FlankKeys,
     context: Context<'_>,
 ) -> Result<PreparedSurface, CaseError> {
     let section = Section::new(context.source, "surface");

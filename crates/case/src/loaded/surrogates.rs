@@ -12,7 +12,7 @@ use asperity_flanks::trace::Flank;
 use asperity_roughness::generate::{Finish, LAMBDA_S};
 
 use super::flank_inputs::FlankInputs;
-use super::flank_trace::{Context, Keys};
+use super::flank_trace::{Context, FlankKeys};
 use crate::input::case_input::FlankInput;
 use crate::input::finish::FinishName;
 use crate::source::case_error::CaseError;
@@ -30,7 +30,7 @@ const NOTED_DEVIATION: f64 = 0.1;
 /// traces, or the contact is not solved.
 pub(crate) fn surrogates_of(
     context: Context<'_>,
-    inputs: [(&FlankInput, &Keys); 2],
+    inputs: [(&FlankInput, &FlankKeys); 2],
     flanks: &[Vec<Flank>; 2],
     warnings: &mut Vec<Warning>,
 ) -> Result<Option<(Surrogates, Vec<DefaultUsed>)>, CaseError> {
@@ -49,7 +49,12 @@ pub(crate) fn surrogates_of(
             Some(pinion) if values_of(inputs[0].0) == values_of(inputs[1].0) => {
                 Some(pinion.clone())
             }
-            _ => Some(known_of(context, inputs[body], &mut assumed)?),
+            _ => Some(known_of(
+                context,
+                inputs[body].0,
+                inputs[body].1,
+                &mut assumed,
+            )?),
         };
     }
     let known_flanks = || known.iter().flatten();
@@ -92,7 +97,8 @@ fn trace_length(inputs: &FlankInputs) -> Length {
 /// Stated values, finish and cut-off of a flank.
 fn known_of(
     context: Context<'_>,
-    (input, keys): (&FlankInput, &Keys),
+    input: &FlankInput,
+    keys: &FlankKeys,
     assumed: &mut Vec<DefaultUsed>,
 ) -> Result<KnownFlank, CaseError> {
     let section = Section::new(context.source, keys.table);

@@ -138,10 +138,11 @@ impl GearboxInput {
         &self,
         places: Vec<MeshPlace>,
         train: &GearTrain,
-        (source, files): (&Source, &Reader<'_>),
+        source: &Source,
+        files: &Reader<'_>,
     ) -> Result<Gearbox, CaseError> {
         let section = Section::new(source, "gearbox");
-        let shaft_of = |key, name: &str| shaft_of((train, &places), section, key, name);
+        let shaft_of = |key, name: &str| shaft_of(train, &places, section, key, name);
         let (mut parts, mut warnings) = (Vec::new(), Vec::new());
         for (number, seal) in self.seals.iter().enumerate() {
             let name = named(seal.name.as_deref(), "seal", number);
@@ -154,7 +155,7 @@ impl GearboxInput {
         }
         for (number, bearing) in self.bearings.iter().enumerate() {
             let name = named(bearing.name.as_deref(), "bearing", number);
-            let (shaft, kind) = self.bearing((number, &name), train, (&places, section))?;
+            let (shaft, kind) = self.bearing(number, &name, train, &places, section)?;
             parts.push(Part { name, shaft, kind });
         }
         let jet = self
@@ -178,7 +179,7 @@ impl GearboxInput {
             });
         }
         if let Some(file) = &self.loss_table {
-            let (name, table, warning) = table(file, (section, "loss_table"), files)?;
+            let (name, table, warning) = table(file, section, "loss_table", files)?;
             warnings.extend(warning);
             // The input shaft is the first.
             let (shaft, against) = (0, None);
@@ -186,7 +187,7 @@ impl GearboxInput {
             parts.push(Part { name, shaft, kind });
         }
         for stated in &self.tables {
-            let (file, table, warning) = table(&stated.file, (section, "tables"), files)?;
+            let (file, table, warning) = table(&stated.file, section, "tables", files)?;
             warnings.extend(warning);
             let shaft = shaft_of("tables", &stated.shaft)?;
             let against = stated.against.as_ref();
@@ -201,13 +202,10 @@ impl GearboxInput {
             });
         }
         if parts.is_empty() {
-            let rule = match is_only(&places) {
-                true => {
-                    "names nothing that loses; give seals, bearings, jet or loss_table, or leave it out"
-                }
-                false => {
-                    "names nothing that loses; give seals, bearings, jets or tables, or leave it out"
-                }
+            let rule = if is_only(&places) {
+                "names nothing that loses; give seals, bearings, jet or loss_table, or leave it out"
+            } else {
+                "names nothing that loses; give seals, bearings, jets or tables, or leave it out"
             };
             return Err(section.conflict_of_key("", rule));
         }
@@ -222,9 +220,11 @@ impl GearboxInput {
     /// The shaft of bearing `number`, called `name`, and its numbers.
     fn bearing(
         &self,
-        (number, name): (usize, &str),
+        number: usize,
+        name: &str,
         train: &GearTrain,
-        (places, section): (&[MeshPlace], Section<'_>),
+        places: &[MeshPlace],
+        section: Section<'_>,
     ) -> Result<(usize, PartKind), CaseError> {
         let stated = &self.bearings[number];
         let on = stated.shaft.as_str();
@@ -234,18 +234,17 @@ impl GearboxInput {
             let kind = of_planet(stated, stage).map_err(refused)?;
             return Ok((train.stages[stage].gears[0], kind));
         }
-        let load = match is_only(places) {
-            true => Some(stated_load(stated).map_err(&refused)?),
-            false => {
-                without_load(stated).map_err(&refused)?;
-                None
-            }
+        let load = if is_only(places) {
+            Some(stated_load(stated).map_err(&refused)?)
+        } else {
+            without_load(stated).map_err(&refused)?;
+            None
         };
         let bearing = rolling_bearing(stated).map_err(&refused)?;
-        let shaft = shaft_of((train, places), section, "bearings", on)?;
+        let shaft = shaft_of(train, places, section, "bearings", on)?;
         let load = match load {
             Some(load) => load,
-            None => self.of_teeth(number, (shaft, train), (places, section), refused)?,
+            None => self.of_teeth(number, shaft, train, places, section, refused)?,
         };
         Ok((shaft, PartKind::Bearing { bearing, load }))
     }
@@ -254,8 +253,10 @@ impl GearboxInput {
     fn of_teeth(
         &self,
         number: usize,
-        (shaft, train): (usize, &GearTrain),
-        (places, section): (&[MeshPlace], Section<'_>),
+        shaft: usize,
+        train: &GearTrain,
+        places: &[MeshPlace],
+        section: Section<'_>,
         refused: impl Fn(EfficiencyError) -> CaseError,
     ) -> Result<BearingLoads, CaseError> {
         let bearing = &self.bearings[number];
@@ -303,18 +304,22 @@ fn is_only(places: &[MeshPlace]) -> bool {
 
 /// The shaft called `name`, which the key names.
 fn shaft_of(
-    (train, places): (&GearTrain, &[MeshPlace]),
+    train: &GearTrain,
+    places: &[MeshPlace],
     section: Section<'_>,
     key: &'static str,
     name: &str,
 ) -> Result<usize, CaseError> {
     let known = train.shafts.iter().position(|shaft| shaft.name == name);
-    known.ok_or_else(|| match is_only(places) {
-        true => section.value(
-            key,
-            format!("unknown choice \"{name}\", expected pinion or wheel"),
-        ),
-        false => section.conflict(key, "names a shaft that no mesh of the train has"),
+    known.ok_or_else(|| {
+        if is_only(places) {
+            section.value(
+                key,
+                format!("unknown choice \"{name}\", expected pinion or wheel"),
+            )
+        } else {
+            section.conflict(key, "names a shaft that no mesh of the train has")
+        }
     })
 }
 
@@ -513,7 +518,8 @@ fn rolling_bearing(stated: &BearingInput) -> Result<RollingBearing, EfficiencyEr
 /// Name and content of the table `file`, which is stated at `key`, and a doubt about it.
 fn table(
     file: &Path,
-    (section, key): (Section<'_>, &str),
+    section: Section<'_>,
+    key: &str,
     files: &Reader<'_>,
 ) -> Result<(String, Arc<LossTable>, Option<Warning>), CaseError> {
     let name = file

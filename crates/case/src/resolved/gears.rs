@@ -104,9 +104,10 @@ pub(crate) fn gears(
             None => defaults.take("gears.addendum", addendum, 1.0),
         },
     };
-    let pair = match z2 < 0 {
-        true => GearPair::internal(&geometry),
-        false => GearPair::new(&geometry),
+    let pair = if z2 < 0 {
+        GearPair::internal(&geometry)
+    } else {
+        GearPair::new(&geometry)
     };
     if let (Some(_), None, None, Ok(pair)) = (centre_distance, profile_shift, tip_diameter, &pair) {
         let shifts = pair.profile_shift.unwrap_or_default();
@@ -124,9 +125,12 @@ pub(crate) fn gears(
     let none = Length::from_si(0.0);
     let chamfer = flanks(&input.gears, source)
         .map(|(flank, section)| defaults.take(section.key("tip_chamfer"), flank.tip_chamfer, none));
-    let chamfered = pair.and_then(|pair| match chamfer == [none; 2] {
-        true => Ok(pair),
-        false => pair.with_tip_chamfer(chamfer),
+    let chamfered = pair.and_then(|pair| {
+        if chamfer == [none; 2] {
+            Ok(pair)
+        } else {
+            pair.with_tip_chamfer(chamfer)
+        }
     });
     chamfered.map_err(|error| refused(error, source))
 }
@@ -308,9 +312,12 @@ pub(crate) fn load_settings(
     let is_elastic = model.load_distribution.is_elastic();
     let root = flanks(&input.gears, source).map(|(flank, section)| {
         let rack = RootForm::default();
-        let mut take = |name: &str, stated: Option<f64>, default: f64| match is_elastic {
-            true => defaults.take(section.key(name), stated, default),
-            false => stated.unwrap_or(default),
+        let mut take = |name: &str, stated: Option<f64>, default: f64| {
+            if is_elastic {
+                defaults.take(section.key(name), stated, default)
+            } else {
+                stated.unwrap_or(default)
+            }
         };
         RootForm {
             dedendum: take("dedendum", flank.dedendum, rack.dedendum),

@@ -12,7 +12,7 @@ use asperity_gear::{
 /// Inputs of the load over the teeth: two equal ones have the same load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadInputs {
-    law: Law,
+    law: InputLaw,
     /// The gears.
     pub gears: GearPair,
     micro_geometry: MicroGeometry,
@@ -24,12 +24,12 @@ pub struct LoadInputs {
 
 /// Law of the load over the teeth.
 #[derive(Debug, Clone)]
-enum Law {
+enum InputLaw {
     Named(LoadLaw),
     Own(Arc<dyn LoadDistribution>),
 }
 
-impl PartialEq for Law {
+impl PartialEq for InputLaw {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Named(one), Self::Named(other)) => one == other,
@@ -43,15 +43,15 @@ impl PartialEq for Law {
 impl LoadInputs {
     /// The inputs of a user-defined law under `conditions`.
     pub(crate) fn by_own(law: &Arc<dyn LoadDistribution>, conditions: &LoadConditions<'_>) -> Self {
-        Self::with_law(Law::Own(Arc::clone(law)), conditions)
+        Self::with_law(InputLaw::Own(Arc::clone(law)), conditions)
     }
 
     /// The inputs of a named law under `conditions`.
     pub(crate) fn by_law(law: &LoadLaw, conditions: &LoadConditions<'_>) -> Self {
-        Self::with_law(Law::Named(law.clone()), conditions)
+        Self::with_law(InputLaw::Named(law.clone()), conditions)
     }
 
-    fn with_law(law: Law, conditions: &LoadConditions<'_>) -> Self {
+    fn with_law(law: InputLaw, conditions: &LoadConditions<'_>) -> Self {
         Self {
             law,
             gears: conditions.pair.clone(),
@@ -87,7 +87,7 @@ impl LoadInputs {
 
     /// Whether the law lets the teeth deform.
     pub(crate) fn is_elastic(&self) -> bool {
-        matches!(&self.law, Law::Named(law) if law.is_elastic())
+        matches!(&self.law, InputLaw::Named(law) if law.is_elastic())
     }
 
     /// The load over the flanks.
@@ -116,8 +116,8 @@ impl LoadInputs {
 
     fn law(&self) -> &dyn LoadDistribution {
         match &self.law {
-            Law::Named(law) => law,
-            Law::Own(law) => law.as_ref(),
+            InputLaw::Named(law) => law,
+            InputLaw::Own(law) => law.as_ref(),
         }
     }
 }

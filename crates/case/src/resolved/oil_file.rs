@@ -255,9 +255,10 @@ impl FittedFriction {
     pub fn law_error(&self, temperature: Temperature) -> f64 {
         asperity_core::cite!("Film-law-error");
         let own = law_error(self.fit.chi2_per_point);
-        match self.is_far(temperature) {
-            true => own.hypot(ERROR_PER_KELVIN * self.beyond_temperatures(temperature)),
-            false => own,
+        if self.is_far(temperature) {
+            own.hypot(ERROR_PER_KELVIN * self.beyond_temperatures(temperature))
+        } else {
+            own
         }
     }
 }

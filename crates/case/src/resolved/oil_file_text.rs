@@ -14,7 +14,7 @@ use crate::text::written;
 impl fmt::Display for OilFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         #[derive(Serialize)]
-        struct Oil<'a> {
+        struct OilText<'a> {
             lubricant: &'a LubricantInput,
         }
         let Self {
@@ -23,7 +23,7 @@ impl fmt::Display for OilFile {
             film_friction,
             other_law,
         } = self;
-        let oil = written::file(&Oil { lubricant }).map_err(|_| fmt::Error)?;
+        let oil = written::file(&OilText { lubricant }).map_err(|_| fmt::Error)?;
         write!(f, "schema = {}\n\n{oil}", inline(schema)?)?;
         table(f, "film_friction", film_friction)?;
         match other_law {
@@ -79,9 +79,10 @@ fn table(f: &mut fmt::Formatter<'_>, name: &str, found: &FittedFriction) -> fmt:
     if *simulated {
         writeln!(f, "simulated = true")?;
     }
-    match doubts.is_empty() {
-        true => Ok(()),
-        false => writeln!(f, "doubts = {}", inline(doubts)?),
+    if doubts.is_empty() {
+        Ok(())
+    } else {
+        writeln!(f, "doubts = {}", inline(doubts)?)
     }
 }
 

@@ -8,7 +8,7 @@ use asperity_mixed_film::{PatchGap, SpotSpeed};
 use asperity_oil::{FilmRheology, LubricantState, PressureLaw, TractionConstants};
 
 use super::constant::UncertainParameter;
-use super::oil_at::OilAt;
+use super::oil_at::OilAtTemperature;
 use crate::input::law_names::LoadShareName;
 use crate::input::model::Model;
 
@@ -125,7 +125,7 @@ impl Overrides {
     pub(crate) fn oil(
         &self,
         nominal: &LubricantState,
-        at: &OilAt,
+        at: &OilAtTemperature,
         is_of_film: bool,
     ) -> Result<(LubricantState, Option<FilmRheology>), PositionError> {
         let mut oil = at.state;
@@ -145,13 +145,17 @@ impl Overrides {
         if let Some(alpha) = self.get(UncertainParameter::PressureViscosity) {
             // The same factor in film thickness and film friction, unless curves state the friction.
             let factor = alpha / nominal.pressure_viscosity.si();
-            oil.pressure_viscosity = match *nominal == at.state {
-                true => PressureViscosity::from_si(alpha),
-                false => oil.pressure_viscosity * factor,
+            oil.pressure_viscosity = if *nominal == at.state {
+                PressureViscosity::from_si(alpha)
+            } else {
+                oil.pressure_viscosity * factor
             };
-            rheology = rheology.map(|own| match is_of_film {
-                true => own.with_film_alpha_factor(factor),
-                false => own.with_alpha_factor(factor),
+            rheology = rheology.map(|own| {
+                if is_of_film {
+                    own.with_film_alpha_factor(factor)
+                } else {
+                    own.with_alpha_factor(factor)
+                }
             });
         }
         Ok((oil, rheology))

@@ -98,7 +98,8 @@ pub(crate) fn at_running_in(
     gears: &GearPair,
     modulus: Pressure,
     torque: Torque,
-    (softer, key): (Pressure, &'static str),
+    softer: Pressure,
+    key: &'static str,
 ) -> AtPitchPoint {
     let load = hertz(gears, modulus, torque);
     let [least, most] = load.usual;

@@ -134,10 +134,13 @@ impl FittedFriction {
             let is_within = low < high && found.contains(value) && high.is_finite();
             let is_fall = name == FittedName::LimitingShearTemperature;
             let rule = match is_fall {
-                _ if !is_within || (!is_fall && low <= 0.0) => match is_fall {
-                    true => "needs low < high with the value between them",
-                    false => "needs 0 < low < high with the value between them",
-                },
+                _ if !is_within || (!is_fall && low <= 0.0) => {
+                    if is_fall {
+                        "needs low < high with the value between them"
+                    } else {
+                        "needs 0 < low < high with the value between them"
+                    }
+                }
                 true if low < -STEEPEST_FALL || high > STEEPEST_FALL => {
                     "needs -0.016 <= low and high <= 0.016 1/K: the film would have no single temperature"
                 }

@@ -26,7 +26,7 @@ use super::calibrated;
 use super::gearbox::Gearbox;
 use super::gears::{gears, load_settings, micro_geometry, note_relief};
 use super::load_inputs::LoadInputs;
-use super::oil_at::OilAt;
+use super::oil_at::OilAtTemperature;
 use super::oil_file::OilFile;
 use super::overrides::Overrides;
 use super::plausibility::{at_pitch_point, refuse_stiff_oil};
@@ -148,7 +148,7 @@ pub(crate) fn resolve_with(
         reduced_modulus(&materials[0], &materials[1]).map_err(domain(source, "material.pinion"))?;
     let (torque, speed) = (input.operation.torque, input.operation.speed);
     let temperature = operating_temperature(&input.operation, source)?;
-    check_operation((torque, speed), (&gears, modulus), source)?;
+    check_operation(torque, speed, &gears, modulus, source)?;
     let running_in = running_in(&input.operation, (&gears, modulus), flow_pressure, source)?;
     let lubricant_at = |error| lubricant_at(source, &input.operation, error);
     let lubricant = completed_oil(&input.lubricant, oil_file.as_deref());
@@ -167,8 +167,8 @@ pub(crate) fn resolve_with(
         positions: formulation.positions(),
         xu_roughness: formulation.xu_roughness(),
     };
-    let inputs = (&choices, &input.paper);
-    let (model, paper) = model(inputs, &stated, &gears, source, &mut defaults)?;
+    let of_paper = &input.paper;
+    let (model, paper) = model(&choices, of_paper, &stated, &gears, source, &mut defaults)?;
     let bulk = bulk_model(input.operation.bulk.as_ref(), &model, source)?;
     let load_settings = load_settings(&input, &model, source, &mut defaults);
     let mesh = LoadConditions {
@@ -228,7 +228,7 @@ pub(crate) struct Completed {
     pub case: Case,
     pub teeth: SolvedTeeth,
     /// The oil at the temperature that the case states.
-    pub oil: OilAt,
+    pub oil: OilAtTemperature,
 }
 
 /// What the files of a case add to its keys.
@@ -253,8 +253,10 @@ pub(crate) struct OfFlanks<'a> {
 
 /// Refuses a load or a speed that no pair of gears has.
 fn check_operation(
-    (torque, speed): (Torque, AngularSpeed),
-    (gears, modulus): (&GearPair, Pressure),
+    torque: Torque,
+    speed: AngularSpeed,
+    gears: &GearPair,
+    modulus: Pressure,
     source: &Source,
 ) -> Result<(), CaseError> {
     let section = Section::new(source, "operation");
@@ -393,7 +395,11 @@ impl Case {
     }
 
     /// The oil at another temperature than the case states.
-    pub(crate) fn oil_at(&self, at: Temperature, source: &Source) -> Result<OilAt, CaseError> {
+    pub(crate) fn oil_at(
+        &self,
+        at: Temperature,
+        source: &Source,
+    ) -> Result<OilAtTemperature, CaseError> {
         let operation = &self.input.operation;
         let lubricant_at = |error| lubricant_at(source, operation, error);
         let file = self.oil_file.as_deref();
@@ -494,11 +500,11 @@ fn film_oil(
     (model, of_file): (&Model, (&CaseInput, Option<&OilFile>)),
     bulk: Temperature,
     source: &Source,
-) -> Result<OilAt, CaseError> {
+) -> Result<OilAtTemperature, CaseError> {
     let (state, notes) = (oil.value, oil.outside);
     if model.film_friction.shear_law().is_none() && !model.shears_its_film() {
         without_film_friction(of_file.0, source)?;
-        return Ok(OilAt {
+        return Ok(OilAtTemperature {
             state,
             rheology: None,
             notes,
@@ -507,7 +513,7 @@ fn film_oil(
     let lubricant_at = |error| lubricant_at(source, &of_file.0.operation, error);
     let rheology = rheology(lubricant, model, bulk, of_file).map_err(lubricant_at)?;
     let of_film = rheology.state(bulk).map_err(lubricant_at)?;
-    Ok(OilAt {
+    Ok(OilAtTemperature {
         state: LubricantState {
             pressure_viscosity: of_film.pressure_viscosity,
             thermal_conductivity: of_film.conductivity,
@@ -708,9 +714,10 @@ fn lubricant_at(source: &Source, operation: &OperationInput, error: LubricantErr
     match error {
         LubricantError::Domain(error) => {
             let key = key_of("lubricant", error.name);
-            let key = match TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key) {
-                true => operation.temperature_key().into(),
-                false => key,
+            let key = if TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key) {
+                operation.temperature_key().into()
+            } else {
+                key
             };
             domain(source, key)(error)
         }

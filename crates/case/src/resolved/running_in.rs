@@ -37,7 +37,7 @@ impl RunningInPlan {
         };
         let [pinion, wheel] = flow_pressure.map(Pressure::si);
         let softer = Pressure::from_si(pinion.min(wheel));
-        at_running_in(gears, modulus, self.torque, (softer, key))
+        at_running_in(gears, modulus, self.torque, softer, key)
     }
 }
 

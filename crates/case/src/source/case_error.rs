@@ -324,10 +324,10 @@ impl CaseError {
         file: impl Display,
         source: asperity_roughness::RoughnessError,
     ) -> Self {
-        let remedy = match source.is_of_noise_cutoff() {
-            true => Remedy::state(Setting::NoiseCutoff)
-                .because("to five times the spacing of the trace"),
-            false => Remedy::state(Setting::Cutoff).because("to suit the trace"),
+        let remedy = if source.is_of_noise_cutoff() {
+            Remedy::state(Setting::NoiseCutoff).because("to five times the spacing of the trace")
+        } else {
+            Remedy::state(Setting::Cutoff).because("to suit the trace")
         };
         Self::new(Code::E120, format!("{file}: {source}")).with(remedy)
     }

@@ -360,7 +360,7 @@ pub(crate) fn read_table<T: CaseFile>(
     schema: &Json,
     place: impl Fn(&str) -> Place,
 ) -> Result<T, CaseError> {
-    T::from_keys(root).map_err(|error| value_error(error, schema, place))
+    T::from_keys(root).map_err(|(key, message)| value_error(key, message, schema, place))
 }
 
 /// Reads a part of a case whose keys are in `schema`.
@@ -369,12 +369,13 @@ pub(crate) fn read_part<T: DeserializeOwned>(
     schema: &Json,
     place: impl Fn(&str) -> Place,
 ) -> Result<T, CaseError> {
-    from_table(root).map_err(|error| value_error(error, schema, place))
+    from_table(root).map_err(|(key, message)| value_error(key, message, schema, place))
 }
 
 /// The error about a value that cannot be read, by its key and the message, in the words of the schema.
 fn value_error(
-    (key, message): (Option<String>, String),
+    key: Option<String>,
+    message: String,
     schema: &Json,
     place: impl Fn(&str) -> Place,
 ) -> CaseError {

@@ -16,12 +16,12 @@ use toml::{Table, Value, map};
 use crate::input::ranges::range_in_pair;
 
 /// Keys from the root to the value that is being read; after an error, to the value that cannot be read.
-type Path = RefCell<Vec<String>>;
+type TablePath = RefCell<Vec<String>>;
 
 /// Reads a value from a table; the key and the message of what cannot be read. Entries of a list have the key of the
 /// list, as in TOML.
 pub(crate) fn from_keys<T: DeserializeOwned>(root: Table) -> Result<T, (Option<String>, String)> {
-    let path = Path::default();
+    let path = TablePath::default();
     let keyed = Keyed {
         value: Value::Table(root),
         path: Some(&path),
@@ -49,7 +49,7 @@ fn with_usual_unit(key: &str, message: String) -> String {
 /// A value; without a path within a list or a variant.
 struct Keyed<'p> {
     value: Value,
-    path: Option<&'p Path>,
+    path: Option<&'p TablePath>,
 }
 
 impl<'de> Deserializer<'de> for Keyed<'_> {
@@ -65,7 +65,7 @@ impl<'de> Deserializer<'de> for Keyed<'_> {
             Value::Array(values) => {
                 let count = values.len();
                 let mut values = values.into_iter();
-                let read = visitor.visit_seq(Values(&mut values))?;
+                let read = visitor.visit_seq(KeyValues(&mut values))?;
                 match values.len() {
                     0 => Ok(read),
                     _ => Err(Error::invalid_length(count, &"fewer elements in array")),
@@ -99,7 +99,7 @@ impl<'de> Deserializer<'de> for Keyed<'_> {
                 let mut entries = table.into_iter();
                 let entry = entries.next();
                 let (name, value) = entry.ok_or_else(|| Error::custom("no variant"))?;
-                visitor.visit_enum(Variant { name, value })
+                visitor.visit_enum(KeyVariant { name, value })
             }
             Value::Table(_) => Err(Error::custom("one variant expected")),
             _ => Err(Error::invalid_type(Unexpected::UnitVariant, &"string only")),
@@ -142,11 +142,11 @@ fn unexpected(value: &Value) -> Unexpected<'_> {
 struct Keys<'p> {
     entries: map::IntoIter<String, Value>,
     value: Option<Value>,
-    path: Option<&'p Path>,
+    path: Option<&'p TablePath>,
 }
 
 impl<'p> Keys<'p> {
-    fn new(table: Table, path: Option<&'p Path>) -> Self {
+    fn new(table: Table, path: Option<&'p TablePath>) -> Self {
         Self {
             entries: table.into_iter(),
             value: None,
@@ -188,9 +188,9 @@ impl<'de> MapAccess<'de> for Keys<'_> {
 }
 
 /// Entries of a list.
-struct Values<'a>(&'a mut std::vec::IntoIter<Value>);
+struct KeyValues<'a>(&'a mut std::vec::IntoIter<Value>);
 
-impl<'de> SeqAccess<'de> for Values<'_> {
+impl<'de> SeqAccess<'de> for KeyValues<'_> {
     type Error = Error;
 
     fn next_element_seed<S: DeserializeSeed<'de>>(
@@ -209,12 +209,12 @@ impl<'de> SeqAccess<'de> for Values<'_> {
 }
 
 /// A variant with its content.
-struct Variant {
+struct KeyVariant {
     name: String,
     value: Value,
 }
 
-impl<'de> EnumAccess<'de> for Variant {
+impl<'de> EnumAccess<'de> for KeyVariant {
     type Error = Error;
     type Variant = Keyed<'static>;
 

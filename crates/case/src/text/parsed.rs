@@ -116,19 +116,20 @@ impl Source {
     }
 
     fn as_written(&self) -> Result<Table, CaseError> {
-        let (place, message) = match self.is_json {
-            false => match toml::from_str(&self.text) {
-                Ok(table) => return Ok(table),
-                Err(error) => (self.at_span(error.span()), error.message().to_owned()),
-            },
-            true => match serde_json::from_str(&self.text).map(stated) {
+        let (place, message) = if self.is_json {
+            match serde_json::from_str(&self.text).map(stated) {
                 Ok(Some(Value::Table(table))) => return Ok(table),
                 Ok(_) => (self.at_line(1), "a case is a JSON object".to_owned()),
                 Err(error) => {
                     let message = without_place(&error.to_string());
                     (self.at_line(error.line()), message)
                 }
-            },
+            }
+        } else {
+            match toml::from_str(&self.text) {
+                Ok(table) => return Ok(table),
+                Err(error) => (self.at_span(error.span()), error.message().to_owned()),
+            }
         };
         Err(CaseError::value(place, None, message))
     }
@@ -181,9 +182,10 @@ impl Source {
         is_table: bool,
     ) -> String {
         let written = join(above, name);
-        let symbol = match is_table && written == "oil" {
-            true => Some("lubricant".to_owned()),
-            false => key_of_symbol(above, name),
+        let symbol = if is_table && written == "oil" {
+            Some("lubricant".to_owned())
+        } else {
+            key_of_symbol(above, name)
         };
         let key = match text.and_then(|span| Some((span, key_of_text(&written)?))) {
             Some((span, key)) => {

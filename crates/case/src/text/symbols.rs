@@ -6,7 +6,7 @@
 use toml::{Table, Value};
 
 /// A key with its symbols, and the tables that have it.
-struct Row {
+struct SymbolRow {
     tables: &'static [&'static str],
     symbols: &'static [&'static str],
     key: &'static str,
@@ -16,8 +16,8 @@ const fn row(
     tables: &'static [&'static str],
     symbols: &'static [&'static str],
     key: &'static str,
-) -> Row {
-    Row {
+) -> SymbolRow {
+    SymbolRow {
         tables,
         symbols,
         key,
@@ -34,7 +34,7 @@ const VISCOSITY: &[&str] = &["lubricant.viscosity"];
 
 /// The keys that have symbols.
 #[rustfmt::skip]
-const SYMBOLS: &[Row] = &[
+const SYMBOLS: &[SymbolRow] = &[
     row(GEARS, &["z"], "teeth"),
     row(GEARS, &["m_n", "mn", "m"], "module"),
     row(GEARS, &["b"], "face_width"),
@@ -91,7 +91,7 @@ pub(crate) fn key_named<'a>(
     name: &str,
     mut known: impl Iterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    let is_of = |row: &Row, key: &str| row.key == key && row.symbols.contains(&name);
+    let is_of = |row: &SymbolRow, key: &str| row.key == key && row.symbols.contains(&name);
     known.find(|key| SYMBOLS.iter().any(|row| is_of(row, key)))
 }
 

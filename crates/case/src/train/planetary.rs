@@ -150,15 +150,15 @@ pub(crate) fn stage(
 }
 
 /// Two of the three gears, the first of them the pinion.
-struct Mesh {
+struct SetMesh {
     gears: [usize; 2],
     name: &'static str,
     long_name: &'static str,
     tables: &'static [(&'static str, &'static str)],
 }
 
-const MESHES: [Mesh; 2] = [
-    Mesh {
+const MESHES: [SetMesh; 2] = [
+    SetMesh {
         gears: [0, 1],
         name: "sun and planet",
         long_name: "mesh of the sun, its pinion, and a planet",
@@ -172,7 +172,7 @@ const MESHES: [Mesh; 2] = [
             ("surface.wheel", "surface.planet"),
         ],
     },
-    Mesh {
+    SetMesh {
         gears: [1, 2],
         name: "planet and ring",
         long_name: "mesh of a planet, its pinion, and the ring",
@@ -188,7 +188,7 @@ const MESHES: [Mesh; 2] = [
     },
 ];
 
-fn mesh_case(input: &SetOfCase<'_>, mesh: &Mesh) -> CaseInput {
+fn mesh_case(input: &SetOfCase<'_>, mesh: &SetMesh) -> CaseInput {
     let set = input.set;
     let [i, j] = mesh.gears;
     let flanks = [set.sun, set.planet, set.ring];

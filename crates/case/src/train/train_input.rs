@@ -17,8 +17,8 @@ use crate::input::case_input::{
 };
 use crate::input::files::Reader;
 use crate::input::mesh_input::{MeshInput, PassedLosses, PlanetaryInput, ShaftsInput};
-use crate::input::ranges::{Judged, refuse_impossible, unusual};
-use crate::input::rows::{Judge, KeyPath, Ranged};
+use crate::input::ranges::{JudgedValue, refuse_impossible, unusual};
+use crate::input::rows::{Judge, KeyPath, RangedKey};
 use crate::input::train_heat_input::HeatInput;
 use crate::resolved::gearbox::MeshPlace;
 use crate::resolved::shafting::StageKind;
@@ -34,18 +34,18 @@ pub(crate) type CaseOfMesh = (CaseInput, Option<Arc<MeshKeys>>);
 /// The tables of a case with named meshes that are not of a single mesh: what a mesh has is checked with its case.
 pub(crate) struct OfAllMeshes<'a>(pub &'a CaseInput);
 
-impl Judged for OfAllMeshes<'_> {}
+impl JudgedValue for OfAllMeshes<'_> {}
 
-impl Ranged for OfAllMeshes<'_> {
+impl RangedKey for OfAllMeshes<'_> {
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
         let case = stated.map(|of| of.0);
         let set = case.map(|case| &case.planetary);
-        Ranged::visit(set, at.below(planetary::TABLE), judge);
-        Ranged::visit(case.map(|case| &case.mesh), at.below("mesh"), judge);
-        Ranged::visit(case.map(|case| &case.heat), at.below("heat"), judge);
-        Ranged::visit(case.map(|case| &case.gearbox), at.below("gearbox"), judge);
-        Ranged::visit(case.map(|case| &case.map), at.below("map"), judge);
-        Ranged::visit(case.map(|case| &case.vehicle), at.below("vehicle"), judge);
+        RangedKey::visit(set, at.below(planetary::TABLE), judge);
+        RangedKey::visit(case.map(|case| &case.mesh), at.below("mesh"), judge);
+        RangedKey::visit(case.map(|case| &case.heat), at.below("heat"), judge);
+        RangedKey::visit(case.map(|case| &case.gearbox), at.below("gearbox"), judge);
+        RangedKey::visit(case.map(|case| &case.map), at.below("map"), judge);
+        RangedKey::visit(case.map(|case| &case.vehicle), at.below("vehicle"), judge);
     }
 }
 
@@ -106,7 +106,7 @@ impl CaseInput {
         let places = stages.iter().map(|stage| self.place_of(stage));
         let places: Vec<MeshPlace> = places.collect();
         let gearbox = self.gearbox.as_ref();
-        let gearbox = gearbox.map(|stated| stated.gearbox(places, &shafts, (source, &files)));
+        let gearbox = gearbox.map(|stated| stated.gearbox(places, &shafts, source, &files));
         let gearbox = gearbox.transpose()?;
         let [meshes, set] = Self::NAMED;
         let table = if self.planetary.is_some() {
@@ -270,13 +270,15 @@ impl CaseInput {
             let zero = Torque::from_si(0.0);
             train.shafts.push(Shaft {
                 name: (*shaft).to_owned(),
-                speed: match is_held(shaft) {
-                    true => Some(AngularSpeed::from_si(0.0)),
-                    false => is_input.then_some(operation.speed),
+                speed: if is_held(shaft) {
+                    Some(AngularSpeed::from_si(0.0))
+                } else {
+                    is_input.then_some(operation.speed)
                 },
-                torque: match *shaft == output || is_held(shaft) {
-                    true => None,
-                    false => Some(if is_input { operation.torque } else { zero }),
+                torque: if *shaft == output || is_held(shaft) {
+                    None
+                } else {
+                    Some(if is_input { operation.torque } else { zero })
                 },
                 drag: zero,
             });

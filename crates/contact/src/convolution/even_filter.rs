@@ -213,9 +213,10 @@ impl<T: FourierNumber> EvenFilter<T> {
         let signal = &mut buffers.signal[..self.points];
         let wave = &mut buffers.wave[..waves];
         let scratch = &mut buffers.scratch[..self.plan.get_inplace_scratch_len()];
-        match waves == self.length {
-            true => wave.fill(Complex::zero()),
-            false => clear_gaps(wave, runs.clone(), 2),
+        if waves == self.length {
+            wave.fill(Complex::zero())
+        } else {
+            clear_gaps(wave, runs.clone(), 2)
         }
         let Some(alternating) = &self.alternating else {
             vectorised(

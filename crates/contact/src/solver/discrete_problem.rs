@@ -107,7 +107,8 @@ impl<'a> DiscreteProblem<'a> {
     /// The problem on the `columns` of a window of the finest grid, whose gap is `gap`.
     pub(crate) fn task<'b>(
         &self,
-        (gap, columns): (&'b [f64], usize),
+        gap: &'b [f64],
+        columns: usize,
         settings: &SolverSettings,
         max_iterations: usize,
     ) -> Task<'b> {
@@ -129,13 +130,14 @@ impl<'a> DiscreteProblem<'a> {
 
     /// The problem on the whole of the finest grid, to be assessed.
     pub(crate) fn whole_task(&self, settings: &SolverSettings) -> Task<'_> {
-        self.task((&self.gap, self.cells.columns), settings, 0)
+        self.task(&self.gap, self.cells.columns, settings, 0)
     }
 
     /// The problem on a window of a coarser grid, whose gap is `gap`; the coarser grid is `halvings` levels below the finest.
     pub(crate) fn coarse_task<'b>(
         &self,
-        (gap, window): (&'b [f64], Cells),
+        gap: &'b [f64],
+        window: Cells,
         halvings: i32,
         smooth: bool,
         settings: &SolverSettings,

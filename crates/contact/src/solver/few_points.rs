@@ -126,7 +126,7 @@ mod tests {
                 ..SolverSettings::default()
             };
             let discrete = DiscreteProblem::new(&problem, |_, _| &mut []).unwrap();
-            let task = discrete.task((&gap, gap.len()), &settings, 10_000);
+            let task = discrete.task(&gap, gap.len(), &settings, 10_000);
             let start = vec![discrete.even_pressure(); gap.len()];
             let [mut few, mut iterated] = [(); 2].map(|()| Workspace {
                 pressure: start.clone(),

@@ -175,7 +175,9 @@ impl Solver {
     /// another number of rows.
     pub fn displacement(
         &mut self,
-        (spacing, lead, modulus): (Length, Option<Lead>, Pressure),
+        spacing: Length,
+        lead: Option<Lead>,
+        modulus: Pressure,
         pressure: &[f64],
         displacement: &mut [f64],
     ) -> Result<(), ContactError> {
@@ -263,7 +265,7 @@ impl Solver {
             ..*problem
         };
         let exact = solve_dense(&sets)?.pressure;
-        self.solved_by(problem, settings, (&exact, solution.iterations))
+        self.solved_by(problem, settings, &exact, solution.iterations)
     }
 
     /// The solution of a problem whose pressure is known, with its certificate and the number of iterations that found it.
@@ -274,7 +276,8 @@ impl Solver {
         &mut self,
         problem: &ContactProblem,
         settings: &SolverSettings,
-        (pressure, iterations): (&[f64], usize),
+        pressure: &[f64],
+        iterations: usize,
     ) -> Result<ContactSolution, ContactError> {
         self.check(problem, settings)?;
         let discrete = self.discrete(problem)?;
@@ -335,8 +338,7 @@ impl Solver {
             };
             let gap = window.cut(gap, grid.columns);
             let cells = window.of(grid);
-            let task =
-                discrete.coarse_task((&gap, cells), halvings as i32 + 1, smooth, settings)?;
+            let task = discrete.coarse_task(&gap, cells, halvings as i32 + 1, smooth, settings)?;
             self.minimise((window, grid), &task, &mut pressure)?;
             let along = if smooth { prolong_slopes } else { prolong };
             pressure = prolong_rows((&pressure, grid), grids[halvings], along);
@@ -387,7 +389,7 @@ impl Solver {
             };
             let gap = window.cut(&discrete.gap, grid.columns);
             let left = settings.max_iterations - iterations;
-            let task = discrete.task((&gap, window.points), settings, left);
+            let task = discrete.task(&gap, window.points, settings, left);
             iterations += self.minimise((window, grid), &task, &mut pressure)?;
             let is_whole = window.points == grid.columns;
             if !is_whole {

@@ -65,9 +65,10 @@ pub(super) fn quoted<Q: Quantity>(value: &Q) -> String {
 }
 
 fn both<Q: Quantity>(values: &[Q; 2]) -> String {
-    match values[0] == values[1] {
-        true => quoted(&values[0]),
-        false => format!("[{}, {}]", quoted(&values[0]), quoted(&values[1])),
+    if values[0] == values[1] {
+        quoted(&values[0])
+    } else {
+        format!("[{}, {}]", quoted(&values[0]), quoted(&values[1]))
     }
 }
 

@@ -41,20 +41,20 @@ pub const fn place(tag: &str) -> usize {
     place
 }
 
-struct Row {
+struct ProvenanceRow {
     tag: &'static str,
     /// Begin of the next line.
     end: usize,
 }
 
 /// The first row from the line on that begins at byte `at`.
-const fn next(mut at: usize) -> Option<Row> {
+const fn next(mut at: usize) -> Option<ProvenanceRow> {
     let text = ROWS.as_bytes();
     while at < text.len() {
         let end = behind(b'\n', at);
         if text[at] != b'#' && text[at] != b'\n' {
             let tag = ROWS.split_at(behind(b' ', at) - 1).0.split_at(at).1;
-            return Some(Row { tag, end });
+            return Some(ProvenanceRow { tag, end });
         }
         at = end;
     }

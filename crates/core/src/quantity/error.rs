@@ -65,9 +65,10 @@ pub enum QuantityError {
 
 /// The name of a quantity with its article.
 pub(super) fn with_article(name: &str) -> String {
-    let article = match name.starts_with(['a', 'e', 'i', 'o', 'u']) {
-        true => "an",
-        false => "a",
+    let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) {
+        "an"
+    } else {
+        "a"
     };
     format!("{article} {name}")
 }

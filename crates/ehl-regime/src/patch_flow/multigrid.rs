@@ -16,7 +16,7 @@ const CYCLES: usize = 2;
 const LOPSIDED: f64 = 2.0;
 
 /// A grid of cells, each connected with four neighbours, the first with the last.
-pub(super) struct Grid {
+pub(super) struct FlowGrid {
     /// Number of cells in a row, and of rows.
     pub size: [usize; 2],
     /// Conductance to the next cell of the row.
@@ -27,7 +27,7 @@ pub(super) struct Grid {
     inverse: Vec<f64>,
 }
 
-impl Grid {
+impl FlowGrid {
     /// The grid with the given conductances to the next cells.
     pub fn new(size: [usize; 2], along: Vec<f64>, across: Vec<f64>) -> Self {
         let [columns, rows] = size;
@@ -59,7 +59,7 @@ impl Grid {
     ///
     /// One pass over the row for the faces of each side: each is a loop over equal shifts, which is compiled to vectors.
     #[inline(always)]
-    fn inflow(&self, (j, is_net): (usize, bool), sources: &[f64], p: &[f64], sums: &mut [f64]) {
+    fn inflow(&self, j: usize, is_net: bool, sources: &[f64], p: &[f64], sums: &mut [f64]) {
         let [n, rows] = self.size;
         let row_of = |j: usize| j * n..(j + 1) * n;
         let [here, before, next] = [j, (j + rows - 1) % rows, (j + 1) % rows].map(row_of);
@@ -106,7 +106,7 @@ impl Grid {
             #[inline(always)]
             || {
                 for (j, sums) in residual.chunks_exact_mut(self.size[0]).enumerate() {
-                    self.inflow((j, true), sources, p, sums);
+                    self.inflow(j, true, sources, p, sums);
                 }
             },
         );
@@ -123,7 +123,7 @@ impl Grid {
                 for (colour, k) in (0..2 * rows).map(|k| (k / rows, k % rows)) {
                     let j = if is_reversed { rows - 1 - k } else { k };
                     let first = (j + colour + usize::from(is_reversed)) % 2;
-                    self.inflow((j, false), sources, p, sums);
+                    self.inflow(j, false, sources, p, sums);
                     let (row, last) = (j * n, n - 1);
                     let inverse = &self.inverse[row..row + n];
                     // Both ends of a row with an odd number of cells have one colour and a common face: the later one waits.
@@ -144,7 +144,7 @@ impl Grid {
 
 /// A grid with its work arrays, and the directions in which the next one is halved.
 struct Level {
-    grid: Grid,
+    grid: FlowGrid,
     halved: [bool; 2],
     sources: Vec<f64>,
     pressures: Vec<f64>,
@@ -152,7 +152,7 @@ struct Level {
 }
 
 impl Level {
-    fn new(grid: Grid) -> Self {
+    fn new(grid: FlowGrid) -> Self {
         let zero = || vec![0.0; grid.cells()];
         let (sources, pressures, residual) = (zero(), zero(), zero());
         let sum = |of: &[f64]| of.iter().sum::<f64>();
@@ -180,9 +180,12 @@ impl Level {
 
     /// Number of cells in a row and of rows of the halved grid.
     fn next_size(&self) -> [usize; 2] {
-        [0, 1].map(|d: usize| match self.halved[d] {
-            true => self.grid.size[d].div_ceil(2),
-            false => self.grid.size[d],
+        [0, 1].map(|d: usize| {
+            if self.halved[d] {
+                self.grid.size[d].div_ceil(2)
+            } else {
+                self.grid.size[d]
+            }
         })
     }
 
@@ -199,7 +202,7 @@ impl Level {
         }
     }
 
-    fn next_grid(&self) -> Grid {
+    fn next_grid(&self) -> FlowGrid {
         let size = self.next_size();
         let cells = size[0] * size[1];
         let (mut along, mut across) = (vec![0.0; cells], vec![0.0; cells]);
@@ -215,7 +218,7 @@ impl Level {
                 across[next] += scale[1] * self.grid.across[cell];
             }
         });
-        Grid::new(size, along, across)
+        FlowGrid::new(size, along, across)
     }
 }
 
@@ -233,7 +236,7 @@ pub(super) struct Pressures {
 }
 
 impl Grids {
-    pub fn new(finest: Grid) -> Self {
+    pub fn new(finest: FlowGrid) -> Self {
         let mut levels = vec![Level::new(finest)];
         while let Some(last) = levels.last() {
             if last.halved == [false, false] {
@@ -244,7 +247,7 @@ impl Grids {
         Self { levels }
     }
 
-    pub fn finest(&self) -> &Grid {
+    pub fn finest(&self) -> &FlowGrid {
         &self.levels[0].grid
     }
 
@@ -252,7 +255,7 @@ impl Grids {
     pub fn solve(
         &mut self,
         sources: &[f64],
-        mut is_done: impl FnMut(&Grid, &[f64]) -> bool,
+        mut is_done: impl FnMut(&FlowGrid, &[f64]) -> bool,
         most: usize,
     ) -> Pressures {
         let cells = sources.len();

@@ -10,7 +10,7 @@ use super::system::Linearised;
 
 /// Storage of a column of K·D·P; D masks the pressure of cavitated nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Column {
+enum CoarseColumn {
     /// A shifted copy of the column of one hat.
     Shifted,
     /// Zero: every node of the hat is cavitated.
@@ -29,7 +29,7 @@ pub(crate) struct CoarseLevel {
     ends: [Vec<f64>; 2],
     /// Coarse node before each fine node, and the weight of the one after it.
     places: Vec<(usize, f64)>,
-    columns: Vec<Column>,
+    columns: Vec<CoarseColumn>,
     own: Vec<Vec<f64>>,
     factors: SmallLu,
     right: Vec<f64>,
@@ -73,7 +73,7 @@ impl CoarseLevel {
             hat,
             ends,
             places: (0..=cells).map(place).collect(),
-            columns: vec![Column::Shifted; count],
+            columns: vec![CoarseColumn::Shifted; count],
             own: Vec::new(),
             factors: SmallLu::default(),
             right: vec![0.0; count + 1],
@@ -138,11 +138,11 @@ impl CoarseLevel {
         let row = self.factors.row_mut(a);
         for (q, element) in row[..count].iter_mut().enumerate() {
             let column = match self.columns[q] {
-                Column::Zero => continue,
-                Column::Own(k) => &self.own[k][low..high],
-                Column::Shifted if q == 0 => &self.ends[0][low..high],
-                Column::Shifted if q + 1 == count => &self.ends[1][low..high],
-                Column::Shifted => {
+                CoarseColumn::Zero => continue,
+                CoarseColumn::Own(k) => &self.own[k][low..high],
+                CoarseColumn::Shifted if q == 0 => &self.ends[0][low..high],
+                CoarseColumn::Shifted if q + 1 == count => &self.ends[1][low..high],
+                CoarseColumn::Shifted => {
                     let shift = self.cells - q * self.ratio;
                     &self.hat[shift + low..shift + high]
                 }
@@ -164,13 +164,13 @@ impl CoarseLevel {
             let size = support.len();
             let closed = cavitated[support].iter().filter(|c| **c).count();
             self.columns[q] = if closed == 0 {
-                Column::Shifted
+                CoarseColumn::Shifted
             } else if closed == size {
-                Column::Zero
+                CoarseColumn::Zero
             } else {
                 self.own_column(q, used, cavitated, 2 * closed > size);
                 used += 1;
-                Column::Own(used - 1)
+                CoarseColumn::Own(used - 1)
             };
         }
     }

@@ -5,7 +5,7 @@ use faer::{Col, Mat};
 
 use super::small_lu::dot;
 use super::system::{ElasticSystem, LinearEffort, Linearised};
-use crate::grid::Grid;
+use crate::grid::FilmGrid;
 use crate::hat_kernel::hat_matrix;
 
 pub(crate) struct DenseSystem {
@@ -14,7 +14,7 @@ pub(crate) struct DenseSystem {
 }
 
 impl DenseSystem {
-    pub(crate) fn new(grid: &Grid) -> Self {
+    pub(crate) fn new(grid: &FilmGrid) -> Self {
         Self {
             nodes: grid.nodes(),
             kernel: hat_matrix(grid),

@@ -16,7 +16,7 @@ use asperity_core::quantity::{Force, Length, LineLoad};
 use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
-use super::map::{LoadMap, LoadSample, Model, NARROW_OVERLAP};
+use super::map::{LoadMap, LoadModel, LoadSample, NARROW_OVERLAP};
 use crate::error::GearError;
 use crate::positions::distribute;
 use crate::quadrature::breakpoints;
@@ -113,12 +113,13 @@ impl<'a> Zones<'a> {
     /// Zones that a point at `y` represents, each with its share.
     fn shares(&self, y: Length) -> impl Iterator<Item = (usize, f64)> + '_ {
         let own = self.edges.partition_point(|edge| *edge <= y);
-        (0..self.count()).filter_map(move |zone| match self.is_single_row {
-            false => (zone == own).then_some((zone, 1.0)),
-            true => {
+        (0..self.count()).filter_map(move |zone| {
+            if self.is_single_row {
                 let from = zone.checked_sub(1).and_then(|below| self.edges.get(below));
                 let to = self.edges.get(zone).copied().unwrap_or(self.width);
                 Some((zone, (to - from.copied().unwrap_or_default()) / self.width))
+            } else {
+                (zone == own).then_some((zone, 1.0))
             }
         })
     }
@@ -194,8 +195,8 @@ impl LoadMap {
     /// Whether one point represents the whole face.
     fn is_single_row(&self) -> bool {
         match &self.model {
-            Model::Elastic(grid, _) => grid.cells == 1,
-            Model::Rigid(_) | Model::Table(_) => self.pair.is_spur(),
+            LoadModel::Elastic(grid, _) => grid.cells == 1,
+            LoadModel::Rigid(_) | LoadModel::Table(_) => self.pair.is_spur(),
         }
     }
 

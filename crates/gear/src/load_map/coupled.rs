@@ -36,7 +36,7 @@ pub(crate) const LEAST_COVER: f64 = 1e-12;
 
 /// A cell of a contact line.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Cell {
+pub(crate) struct CoupledCell {
     /// ξ and y/b at the middle of the covered part.
     pub(crate) xi: f64,
     pub(crate) across: f64,
@@ -65,12 +65,12 @@ pub(crate) struct ContactLine {
     pub(crate) tooth: i64,
     /// Number of idle cells of the face on each side.
     pub(crate) idle: [usize; 2],
-    pub(crate) cells: Vec<Cell>,
+    pub(crate) cells: Vec<CoupledCell>,
 }
 
 /// Data common to all contact lines.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Problem<'a> {
+pub(crate) struct CoupledProblem<'a> {
     /// F_bn.
     pub(crate) force: f64,
     /// Length of contact line in a completely covered cell.
@@ -120,7 +120,7 @@ pub(crate) struct PhaseSolution {
 
 /// u = √q_b w, w − λ² w″ = √q_b f, w′ = 0 at both ends of the face;
 /// f > 0: u + f q_H(f) = δ − e, else u ≥ δ − e; Σ ∫ f dl = F_bn               [Load-map-1]
-pub(crate) fn solve(rows: &mut [ContactLine], problem: &Problem<'_>) -> PhaseSolution {
+pub(crate) fn solve(rows: &mut [ContactLine], problem: &CoupledProblem<'_>) -> PhaseSolution {
     cite!("Load-map-1");
     for cell in rows.iter_mut().flat_map(|row| &mut row.cells) {
         cell.load = problem.mean_load;
@@ -160,7 +160,7 @@ pub(crate) fn solve(rows: &mut [ContactLine], problem: &Problem<'_>) -> PhaseSol
 }
 
 /// g and the offset e + f (q_H − g) of each cell.
-fn linearise(row: &mut ContactLine, problem: &Problem<'_>) {
+fn linearise(row: &mut ContactLine, problem: &CoupledProblem<'_>) {
     let floor = LOAD_FLOOR * problem.mean_load;
     for cell in &mut row.cells {
         let mut secant = cell.flattening;
@@ -259,7 +259,7 @@ fn update(row: &mut ContactLine, approach: f64) -> (f64, bool) {
 }
 
 /// Scales the loads so that the force balance holds exactly.
-fn balance(rows: &mut [ContactLine], problem: &Problem<'_>) {
+fn balance(rows: &mut [ContactLine], problem: &CoupledProblem<'_>) {
     let carried: f64 = (rows.iter().flat_map(|row| &row.cells))
         .map(|cell| cell.load * cell.cover)
         .sum();
@@ -274,12 +274,12 @@ mod tests {
     use super::*;
 
     fn row(cells: usize, covered: usize) -> ContactLine {
-        let cell = |k: usize| Cell {
+        let cell = |k: usize| CoupledCell {
             across: (k as f64 + 0.5) / cells as f64,
             cover: 1.0,
             root_bending: 80f64.sqrt(),
             flattening: 16.0,
-            ..Cell::default()
+            ..CoupledCell::default()
         };
         ContactLine {
             tooth: 0,
@@ -297,7 +297,7 @@ mod tests {
             let mut rows = [row(cells, cells / 2)];
             // A face of 20 λ.
             let tails = Tails::new(cells as f64 / 20.0, cells);
-            let problem = Problem {
+            let problem = CoupledProblem {
                 force: 1.0,
                 cell_length: 1.0 / cells as f64,
                 mean_load: 2.0,
@@ -321,7 +321,7 @@ mod tests {
     fn a_line_over_the_whole_face_carries_the_same_everywhere() {
         let mut rows = [row(64, 64)];
         let tails = Tails::new(3.7, 64);
-        let problem = Problem {
+        let problem = CoupledProblem {
             force: 5.0,
             cell_length: 0.5,
             mean_load: 1.0,
@@ -365,7 +365,7 @@ mod tests {
             }
         }
         let tails = Tails::new(2.5, cells);
-        let problem = Problem {
+        let problem = CoupledProblem {
             force: 1.0,
             cell_length: 1.0 / cells as f64,
             mean_load: 0.7,

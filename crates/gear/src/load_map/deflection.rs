@@ -11,7 +11,7 @@ use asperity_core::numerics::range;
 use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
 
-use super::map::{LoadMap, Model};
+use super::map::{LoadMap, LoadModel};
 use super::phases::MeshPhase;
 use crate::error::GearError;
 
@@ -41,7 +41,7 @@ impl LoadMap {
     /// # Errors
     /// As [`at_phase`](Self::at_phase).
     pub fn transmission_error(&self) -> Result<Option<TransmissionError>, GearError> {
-        let Model::Elastic(grid, _) = &self.model else {
+        let LoadModel::Elastic(grid, _) = &self.model else {
             return Ok(None);
         };
         cite!("TE-1");

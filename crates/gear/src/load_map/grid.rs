@@ -1,6 +1,6 @@
 //! Division of the lines of contact at a phase into cells of the face width.
 
-use super::coupled::{Cell, ContactLine, LEAST_COVER};
+use super::coupled::{ContactLine, CoupledCell, LEAST_COVER};
 use crate::edge_contact::TipGaps;
 use crate::pair::GearPair;
 use crate::pair_compliance::PairCompliance;
@@ -8,7 +8,7 @@ use crate::relief::Separation;
 
 /// Data for filling the cells.
 #[derive(Debug, Clone)]
-pub(crate) struct Grid {
+pub(crate) struct LoadGrid {
     pub(crate) compliance: PairCompliance,
     pub(crate) separation: Separation,
     /// Gaps of the tip edges outside the path; `None` without tip edge contact.
@@ -19,7 +19,7 @@ pub(crate) struct Grid {
     pub(crate) mean_load: f64,
 }
 
-impl Grid {
+impl LoadGrid {
     /// Length beyond each end of the path in which tip edges may be in contact, in base pitches.
     pub(crate) fn reach(&self) -> f64 {
         self.edges
@@ -62,7 +62,7 @@ impl Grid {
         pair: &GearPair,
         row: &mut ContactLine,
         front: f64,
-        (from, to): (f64, f64),
+        [from, to]: [f64; 2],
         pitch: usize,
     ) {
         let count = self.cells as f64;
@@ -91,32 +91,32 @@ impl Grid {
         }
     }
 
-    fn cell(&self, pair: &GearPair, xi: f64, across: f64, cover: f64, tooth: i64) -> Cell {
+    fn cell(&self, pair: &GearPair, xi: f64, across: f64, cover: f64, tooth: i64) -> CoupledCell {
         let mut separation = self.separation.at(xi, across, tooth);
         if let Some(edges) = &self.edges {
             separation += edges.at(pair, xi);
         }
-        Cell {
+        CoupledCell {
             xi,
             across,
             cover,
             separation,
             root_bending: self.compliance.bending(xi).sqrt(),
             flattening: self.compliance.flattening(pair, xi, self.mean_load),
-            ..Cell::default()
+            ..CoupledCell::default()
         }
     }
 }
 
 /// Contact interval y/b of the face for a tooth at the coordinate `front` on the front face.
-fn span(pair: &GearPair, front: f64, low: f64, high: f64) -> Option<(f64, f64)> {
+fn span(pair: &GearPair, front: f64, low: f64, high: f64) -> Option<[f64; 2]> {
     if pair.is_spur() {
-        return (low <= front && front < high).then_some((0.0, 1.0));
+        return (low <= front && front < high).then_some([0.0, 1.0]);
     }
     let eps_beta = pair.path.eps_beta;
     let (from, to) = (front.max(low), (front + eps_beta).min(high));
     (to - from > LEAST_COVER).then(|| {
         let across = |xi: f64| ((xi - front) / eps_beta).clamp(0.0, 1.0);
-        (across(from), across(to))
+        [across(from), across(to)]
     })
 }

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::coupled::{self, ContactLine, Problem, Tails};
-use super::grid::Grid;
+use super::coupled::{self, ContactLine, CoupledProblem, Tails};
+use super::grid::LoadGrid;
 use super::law::{LoadLaw, LoadMapSettings};
 use super::line_load_table::LineLoadTable;
 use super::phases::{MeshPhase, phases};
@@ -88,7 +88,7 @@ pub struct LoadMap {
     pub(super) micro: MicroGeometry,
     pub(super) materials: [Material; 2],
     pub(super) settings: LoadMapSettings,
-    pub(super) model: Model,
+    pub(super) model: LoadModel,
     pub(super) marks: Vec<f64>,
     pub(super) samples: Vec<LoadSample>,
     pub(super) loss_factor: f64,
@@ -98,8 +98,8 @@ pub struct LoadMap {
 }
 
 #[derive(Debug, Clone)]
-pub(super) enum Model {
-    Elastic(Box<Grid>, Tails),
+pub(super) enum LoadModel {
+    Elastic(Box<LoadGrid>, Tails),
     Rigid(RigidLaw),
     Table(LineLoadTable),
 }
@@ -148,13 +148,7 @@ impl LoadMap {
         let force = pair.forces(Torque::from_si(torque))?.normal_base.si();
         let mut marks = vec![pair.path.eps_2];
         let model = if law.is_elastic() {
-            let grid = elastic(
-                pair,
-                force,
-                law,
-                (micro, materials, settings),
-                &mut evidence,
-            )?;
+            let grid = elastic(pair, force, law, micro, materials, settings, &mut evidence)?;
             marks.extend(grid.separation.knots());
             if grid.edges.is_some() {
                 marks.extend([-grid.reach(), pair.path.eps_alpha + grid.reach()]);
@@ -162,11 +156,11 @@ impl LoadMap {
             let coupling = settings.face_coupling * pair.normal_module.si()
                 / (pair.face_width.si() / grid.cells as f64);
             let tails = Tails::new(coupling, grid.cells);
-            Model::Elastic(Box::new(grid), tails)
+            LoadModel::Elastic(Box::new(grid), tails)
         } else {
             let rigid = RigidLaw::new(law, pair)?;
             marks.extend(rigid.knots(pair)?);
-            Model::Rigid(rigid)
+            LoadModel::Rigid(rigid)
         };
         let mut map = Self {
             pair: pair.clone(),
@@ -189,8 +183,8 @@ impl LoadMap {
 
     fn run(&mut self) -> Result<(), GearError> {
         let (single_row, pitches) = match &self.model {
-            Model::Elastic(grid, _) => (grid.cells == 1, grid.separation.pitches()),
-            Model::Rigid(_) | Model::Table(_) => (self.pair.is_spur(), 1),
+            LoadModel::Elastic(grid, _) => (grid.cells == 1, grid.separation.pitches()),
+            LoadModel::Rigid(_) | LoadModel::Table(_) => (self.pair.is_spur(), 1),
         };
         // With little overlap a phase samples few positions of the path, as with one cell across the face.
         let fine = single_row || self.pair.path.eps_beta < NARROW_OVERLAP;
@@ -230,21 +224,21 @@ impl LoadMap {
         take: &mut dyn FnMut(LinePoint),
     ) -> Result<Option<f64>, GearError> {
         let (grid, tails) = match &self.model {
-            Model::Rigid(rigid) => {
+            LoadModel::Rigid(rigid) => {
                 let points = rigid.points(&self.pair, self.force, phase.phase, &self.marks)?;
                 points.into_iter().for_each(take);
                 return Ok(None);
             }
-            Model::Table(table) => {
+            LoadModel::Table(table) => {
                 let points = table.points(&self.pair, phase.phase, &self.marks);
                 points.into_iter().for_each(take);
                 return Ok(None);
             }
-            Model::Elastic(grid, tails) => (grid, tails),
+            LoadModel::Elastic(grid, tails) => (grid, tails),
         };
         let cell_length = self.pair.contact_per_coordinate().si() / grid.cells as f64;
         grid.rows(&self.pair, phase.phase, phase.pitch, rows);
-        let problem = Problem {
+        let problem = CoupledProblem {
             force: self.force,
             cell_length,
             mean_load: grid.mean_load,
@@ -309,7 +303,7 @@ impl LoadMap {
 
     /// Whether the law includes deflections.
     pub fn is_elastic(&self) -> bool {
-        matches!(self.model, Model::Elastic(..))
+        matches!(self.model, LoadModel::Elastic(..))
     }
 
     /// Magnitude of the torque at gear 1.
@@ -394,9 +388,11 @@ fn elastic(
     pair: &GearPair,
     force: f64,
     law: &LoadLaw,
-    (micro, materials, settings): (&MicroGeometry, &[Material; 2], &LoadMapSettings),
+    micro: &MicroGeometry,
+    materials: &[Material; 2],
+    settings: &LoadMapSettings,
     evidence: &mut LoadMapEvidence,
-) -> Result<Grid, GearError> {
+) -> Result<LoadGrid, GearError> {
     let separation = Separation::new(micro, pair)?;
     let shift = match pair.profile_shift {
         Some(shift) => shift,
@@ -421,7 +417,7 @@ fn elastic(
     } else {
         None
     };
-    Ok(Grid {
+    Ok(LoadGrid {
         compliance,
         separation,
         edges,
@@ -466,7 +462,7 @@ mod tests {
         let uniform = solve(LoadLaw::Uniform).loss_factor();
         assert!((uniform - 0.148_288).abs() < 1e-6, "{uniform}");
         let mut slices = solve(LoadLaw::Elastic);
-        if let Model::Elastic(grid, _) = &mut slices.model {
+        if let LoadModel::Elastic(grid, _) = &mut slices.model {
             grid.compliance = PairCompliance::constant(80e-12, 16e-12);
         }
         slices.run().unwrap();

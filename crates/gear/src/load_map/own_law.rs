@@ -7,7 +7,7 @@ use asperity_core::quantity::{Length, LineLoad};
 
 use super::conditions::LoadConditions;
 use super::line_load_table::LineLoadTable;
-use super::map::{LoadMap, LoadMapEvidence, LoadSample, Model};
+use super::map::{LoadMap, LoadMapEvidence, LoadModel, LoadSample};
 use crate::error::GearError;
 use crate::positions::PositionRule;
 
@@ -74,7 +74,7 @@ impl LoadMap {
             micro: mesh.micro.clone(),
             materials: *mesh.materials,
             settings: *mesh.settings,
-            model: Model::Table(LineLoadTable(table)),
+            model: LoadModel::Table(LineLoadTable(table)),
             marks: vec![pair.path.eps_2],
             samples,
             loss_factor: 0.0,

@@ -171,9 +171,10 @@ impl PositionFilm<'_> {
         let supply_slopes = self.supply_slopes(psi, window)?;
         let at = table.at_supply(&supply)?;
         let coefficient = self.share(table, window)?.value.coefficient;
-        let c = match self.film.heat() == FilmHeat::Isothermal {
-            true => 0.0,
-            false => self.film.surface_rise(1.0),
+        let c = if self.film.heat() == FilmHeat::Isothermal {
+            0.0
+        } else {
+            self.film.surface_rise(1.0)
         };
         let rise = c * coefficient;
         let Some(at) = at else {

@@ -179,9 +179,10 @@ fn kinks_are_counted_within_a_nanometre_of_mean_gap() {
         let [mut low, mut high] = [0.0, 1e-5];
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            match supplied(&mut film, middle).0 < gap {
-                true => low = middle,
-                false => high = middle,
+            if supplied(&mut film, middle).0 < gap {
+                low = middle
+            } else {
+                high = middle
             }
         }
         let (found, share) = supplied(&mut film, low);

@@ -985,7 +985,7 @@ fn film_and_displacement_of_a_wave_add_in_squares() {
         let boundary = Boundary::Periodic(PeriodicKernel::Spectral);
         let mut solver = Solver::new(n, boundary).unwrap();
         solver
-            .displacement((SPACING, None, modulus), &pressure, &mut displacement)
+            .displacement(SPACING, None, modulus, &pressure, &mut displacement)
             .unwrap();
         // A quarter of a wave apart, film and displacement add in squares to the wave.
         for ((z, film), displacement) in heights.iter().zip(film).zip(displacement) {

@@ -14,12 +14,12 @@ pub(crate) fn no_contact(table: &'static str) -> Fault {
 }
 
 /// Figure: file name without extension, and drawing, which names its table.
-pub(super) struct Figure {
+pub(super) struct PaperFigure {
     pub name: &'static str,
     pub drawing: Drawing,
 }
 
-impl Figure {
+impl PaperFigure {
     pub(super) fn curves(name: &'static str, chart: Chart) -> Self {
         let drawing = Drawing::Curves(chart);
         Self { name, drawing }

@@ -15,7 +15,7 @@ use asperity_report::chart::{Axis, Chart, Line, Series};
 use asperity_report::tables::write;
 use serde::Serialize;
 
-use super::figure::Figure;
+use super::figure::PaperFigure;
 use crate::film_pressure::film_between;
 
 /// Densities from light spindle oil to a fluid 15 % denser than water.
@@ -39,7 +39,7 @@ struct OilRow {
 const MOST_SHOWN: f64 = 400.0;
 const TABLE: &str = "fig07_lubricants.csv";
 
-pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
+pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<PaperFigure>, Fault> {
     let mut rows = Vec::new();
     for density in DENSITIES {
         for viscosity in VISCOSITIES {
@@ -48,8 +48,8 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
     }
     write(&folder.join(TABLE), rows.iter())?;
     Ok(vec![
-        Figure::curves("fig07a_lubricants", differences(&rows)),
-        Figure::curves("fig07b_efficiency", efficiencies(&rows)),
+        PaperFigure::curves("fig07a_lubricants", differences(&rows)),
+        PaperFigure::curves("fig07b_efficiency", efficiencies(&rows)),
     ])
 }
 

@@ -94,13 +94,14 @@ pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, Fault>
         files.insert(table.to_owned(), bytes);
     }
     let files: Vec<(String, Vec<u8>)> = files.into_iter().collect();
-    let written = match is_whole {
-        true => replace_folder(folder, KIND, |new| {
+    let written = if is_whole {
+        replace_folder(folder, KIND, |new| {
             files
                 .iter()
                 .try_for_each(|(name, bytes)| write_bytes(&new.join(name), bytes))
-        }),
-        false => write_among(folder, &files).map_err(Fault::from),
+        })
+    } else {
+        write_among(folder, &files).map_err(Fault::from)
     };
     written?;
     Ok(files.iter().map(|(name, _)| folder.join(name)).collect())

@@ -13,7 +13,7 @@ use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::tables::write;
 use serde::Serialize;
 
-use super::figure::Figure;
+use super::figure::PaperFigure;
 
 const TABLE: &str = "fig12_losses.csv";
 
@@ -34,7 +34,7 @@ pub(super) fn figures(
     summary: &Summary,
     engagements: f64,
     folder: &Path,
-) -> Result<Vec<Figure>, Fault> {
+) -> Result<Vec<PaperFigure>, Fault> {
     let (within, after) = (summary.deformation_in_contact_w, summary.deformation_w);
     let (sliding, rolling) = (summary.sliding_w, summary.rolling_w);
     let parts = [
@@ -50,9 +50,12 @@ pub(super) fn figures(
         ("rolling", [rolling; 3]),
     ];
     let whole = [0, 1, 2].map(|panel: usize| parts.iter().map(|part| part.1[panel]).sum::<f64>());
-    let percent = |power: f64, whole: f64| match whole > 0.0 {
-        true => 100.0 * power / whole,
-        false => 0.0,
+    let percent = |power: f64, whole: f64| {
+        if whole > 0.0 {
+            100.0 * power / whole
+        } else {
+            0.0
+        }
     };
     let rows = parts.map(|(part, [first, second, third])| PartRow {
         part,
@@ -64,7 +67,7 @@ pub(super) fn figures(
         every_engagement_percent: percent(third, whole[2]),
     });
     write(&folder.join(TABLE), rows)?;
-    let bars = |name, title: &str, of: fn(&PartRow) -> (f64, f64)| Figure {
+    let bars = |name, title: &str, of: fn(&PartRow) -> [f64; 2]| PaperFigure {
         name,
         drawing: Drawing::Bars(BarChart {
             id: name.to_owned(),
@@ -76,25 +79,26 @@ pub(super) fn figures(
     };
     Ok(vec![
         bars("fig12a_in_contact", "Fig. 12a: losses in contact", |row| {
-            (row.in_contact_w, row.in_contact_percent)
+            [row.in_contact_w, row.in_contact_percent]
         }),
         bars(
             "fig12b_after_contact",
             "Fig. 12b: losses after contact",
-            |row| (row.after_contact_w, row.after_contact_percent),
+            |row| [row.after_contact_w, row.after_contact_percent],
         ),
         bars(
             "fig12c_every_engagement",
             "Fig. 12c: losses after contact, deformation over the face in every engagement",
-            |row| (row.every_engagement_w, row.every_engagement_percent),
+            |row| [row.every_engagement_w, row.every_engagement_percent],
         ),
     ])
 }
 
-fn bar(name: &str, (value, percent): (f64, f64)) -> Bar {
-    let text = match percent >= 0.01 {
-        true => format!("{value:.1} W, {percent:.1} %"),
-        false => format!("{value:.1e} W, {percent:.0e} %"),
+fn bar(name: &str, [value, percent]: [f64; 2]) -> Bar {
+    let text = if percent >= 0.01 {
+        format!("{value:.1} W, {percent:.1} %")
+    } else {
+        format!("{value:.1e} W, {percent:.0e} %")
     };
     Bar {
         name: name.to_owned(),

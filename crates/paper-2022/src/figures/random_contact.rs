@@ -18,7 +18,7 @@ use asperity_report::units::MICRO;
 use asperity_roughness::generate::SelfAffine;
 use serde::Serialize;
 
-use super::figure::Figure;
+use super::figure::PaperFigure;
 
 /// Relative radius, line load and modulus of the reference case at its pitch point.
 const RADIUS: Length = Length::from_si(11.627e-3);
@@ -47,7 +47,7 @@ fn surface(seed: u64) -> Result<Profile, PositionError> {
 
 const TABLE: &str = "fig06_surface.csv";
 
-pub(super) fn figures(folder: &Path) -> Result<Vec<Figure>, Fault> {
+pub(super) fn figures(folder: &Path) -> Result<Vec<PaperFigure>, Fault> {
     let surfaces = [surface(SEEDS[0])?, surface(SEEDS[1])?];
     let flanks = TwoFlanks {
         first: &surfaces[0],
@@ -66,14 +66,14 @@ pub(super) fn figures(folder: &Path) -> Result<Vec<Figure>, Fault> {
     let x: Vec<f64> = rows.iter().map(|row| row.x_um).collect();
     let mut figures = charts(&rows);
     let stress = below(&x, &solution, folder)?;
-    figures.push(Figure {
+    figures.push(PaperFigure {
         name: "fig06d_subsurface",
         drawing: Drawing::Contour(stress),
     });
     Ok(figures)
 }
 
-fn charts(rows: &[ContactRow]) -> Vec<Figure> {
+fn charts(rows: &[ContactRow]) -> Vec<PaperFigure> {
     let curve = |name: &str, line: Line, of: fn(&ContactRow) -> f64| {
         Series::through(name, line, rows.iter().map(|row| [row.x_um, of(row)]))
     };
@@ -109,9 +109,9 @@ fn charts(rows: &[ContactRow]) -> Vec<Figure> {
         row.pressure_hertz_mpa
     }));
     vec![
-        Figure::curves("fig06a_surfaces", shape),
-        Figure::curves("fig06b_deformation", deformed),
-        Figure::curves("fig06c_contact_stress", pressure),
+        PaperFigure::curves("fig06a_surfaces", shape),
+        PaperFigure::curves("fig06b_deformation", deformed),
+        PaperFigure::curves("fig06c_contact_stress", pressure),
     ]
 }
 

@@ -11,7 +11,7 @@ use asperity_report::html::drawings_of_contact;
 use asperity_report::tables::write;
 
 use super::figure;
-use super::figure::Figure;
+use super::figure::PaperFigure;
 use super::parts;
 
 /// File, chart of the report, title, table.
@@ -67,7 +67,7 @@ const MARCHING: &str = "fig13_convergence.csv";
 const ZOOM_UM: [f64; 2] = [-110.0, -70.0];
 const ZOOM_DEPTH_UM: f64 = 20.0;
 
-pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
+pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<PaperFigure>, Fault> {
     let outcome = asperity::Run::new(case).execute()?.into_only()?;
     let result = &outcome.result;
     let tables = PageTables::new(&outcome, Some(1))?;
@@ -87,7 +87,7 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
         if let Some(near) = zoomed(&drawing) {
             figures.push(near);
         }
-        figures.push(Figure { name, drawing });
+        figures.push(PaperFigure { name, drawing });
     }
     Ok(figures)
 }
@@ -101,7 +101,7 @@ fn engagements(case: &LoadedCase, fields: Option<&PositionFields>) -> f64 {
 }
 
 /// Contact stress where the wheel's flank is the pinion's, reflected across the contact instead of read from its other end.
-fn reflected(case: &LoadedCase, folder: &Path) -> Result<Figure, Fault> {
+fn reflected(case: &LoadedCase, folder: &Path) -> Result<PaperFigure, Fault> {
     let case = case.with_key("surface.wheel.mirrored", "false")?;
     let outcome = asperity::Run::new(&case).execute()?.into_only()?;
     let tables = PageTables::new(&outcome, Some(1))?;
@@ -114,7 +114,7 @@ fn reflected(case: &LoadedCase, folder: &Path) -> Result<Figure, Fault> {
         write(&folder.join(REFLECTED), &contact.surface)?;
     }
     let title = "Fig. 10c: contact stress with the trace reflected across the contact: asymmetric, as the paper's";
-    Ok(Figure {
+    Ok(PaperFigure {
         name: "fig10c_contact_stress_reflected",
         drawing: renamed(drawing, title, REFLECTED),
     })
@@ -137,7 +137,7 @@ fn renamed(mut drawing: Drawing, title: &str, table: &str) -> Drawing {
 }
 
 /// Contact stress and subsurface stress of a few asperities.
-fn zoomed(drawing: &Drawing) -> Option<Figure> {
+fn zoomed(drawing: &Drawing) -> Option<PaperFigure> {
     let [low, high] = ZOOM_UM;
     let near = |axis: &Axis| axis.clone().within(low, high);
     match drawing {
@@ -148,7 +148,7 @@ fn zoomed(drawing: &Drawing) -> Option<Figure> {
                 title: "Fig. 10b: contact stress, near".to_owned(),
                 ..chart.clone()
             };
-            Some(Figure::curves("fig10b_contact_stress_near", chart))
+            Some(PaperFigure::curves("fig10b_contact_stress_near", chart))
         }
         Drawing::Contour(contour) => {
             let mut contour = contour.clone();
@@ -156,7 +156,7 @@ fn zoomed(drawing: &Drawing) -> Option<Figure> {
             contour.x = near(&contour.x);
             contour.y = contour.y.clone().within(contour.rows[0], ZOOM_DEPTH_UM);
             contour.title = "Fig. 11b: von Mises stress below the surface, near".to_owned();
-            Some(Figure {
+            Some(PaperFigure {
                 name: "fig11b_subsurface_near",
                 drawing: Drawing::Contour(contour),
             })

@@ -7,10 +7,10 @@ use asperity_core::Fault;
 use asperity_report::chart::{Axis, Chart, Line, Series};
 use asperity_report::tables::write;
 
-use super::figure::Figure;
+use super::figure::PaperFigure;
 use crate::film_survey::{FilmRow, film};
 
-pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, Fault> {
+pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<PaperFigure>, Fault> {
     let at_pitch = "Fig. 8a: difference across the film, rolling (pitch point)";
     let sliding = "Fig. 8b: the same where the flanks slide";
     let position = Some(case.case.paper.position);
@@ -26,7 +26,7 @@ fn figure(
     table: &'static str,
     title: &str,
     folder: &Path,
-) -> Result<Figure, Fault> {
+) -> Result<PaperFigure, Fault> {
     let film = film(case, position)?;
     write(&folder.join(table), film.rows.iter())?;
     let curve = |name: &str, line: Line, pascals: fn(&FilmRow) -> f64| {
@@ -47,5 +47,5 @@ fn figure(
         row.reynolds_cross_pa
     }))
     .level(film.hertz_pressure_pa, "Hertz pressure");
-    Ok(Figure::curves(id, chart))
+    Ok(PaperFigure::curves(id, chart))
 }

@@ -13,13 +13,13 @@ use super::grid::{Spacing, SpacingSource};
 use super::header::{FilterState, Label, Role};
 use super::header_values::HeaderValues;
 use super::layout::TableLayout;
-use super::matrix::Matrix;
+use super::matrix::HeightMatrix;
 use super::metadata::{self, Metadata};
 use super::options::{Abscissa, Axis, Encoding, LengthUnit, ReadOptions, TraceLine};
 use super::rows::{self, Rows};
 use super::single_column::Special;
 use super::table::Chosen;
-use super::text::{Head, Line, Text};
+use super::text::{Head, Line, TextSource};
 use super::trace::{Positions, Trace, own};
 use super::units::Extent;
 use super::{
@@ -31,7 +31,7 @@ use crate::warning::Warning;
 /// Reads the profile of a table.
 pub(super) fn read(
     head: &Head,
-    text: &mut Text<'_>,
+    text: &mut TextSource<'_>,
     options: &ReadOptions,
 ) -> Result<Trace, ReadFault> {
     let name = text.file;
@@ -47,7 +47,7 @@ pub(super) fn read(
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     let values = HeaderValues::from_header(header);
     if matrix::is_matrix(&labels, &values, options) {
-        let matrix = Matrix::new(&lines, &sniffed, &labels, &values);
+        let matrix = HeightMatrix::new(&lines, &sniffed, &labels, &values);
         let found = match options.line {
             TraceLine::Row if !matrix.is_wrapped() => matrix.read(text, options)?,
             _ => matrix.surface(text, options)?.trace(options)?,
@@ -122,7 +122,7 @@ pub(super) fn read(
 /// Reads all rows of a matrix, which has no labels and no x.
 pub(super) fn surface(
     head: &Head,
-    text: &mut Text<'_>,
+    text: &mut TextSource<'_>,
     options: &ReadOptions,
 ) -> Result<Areal, ReadFault> {
     /// Minimum number of columns of a matrix.
@@ -140,7 +140,7 @@ pub(super) fn surface(
         && let Some(points) = points::read(text, first, &lines, &sniffed, columns)?
     {
         let unit = |axis, column: usize, of_header| {
-            let label: Option<&header::Stated> = labels[column].unit.as_ref();
+            let label: Option<&header::StatedHeader> = labels[column].unit.as_ref();
             header::unit_of_file(label.or(of_header), axis, options)
         };
         let [x, y, z] = columns;
@@ -161,7 +161,7 @@ pub(super) fn surface(
             "no matrix of heights",
         ));
     }
-    Matrix::new(&lines, &sniffed, &labels, &values).surface(text, options)
+    HeightMatrix::new(&lines, &sniffed, &labels, &values).surface(text, options)
 }
 
 /// Relative difference up to which a value of a header and the value used are taken as equal.
@@ -201,7 +201,7 @@ struct Parsed<'a> {
 }
 
 /// Spacing `[m]` with its origin, and the units.
-struct Measured {
+struct MeasuredSpacing {
     spacing: f64,
     source: SpacingSource,
     x_unit: Option<LengthUnit>,
@@ -261,7 +261,7 @@ impl Parsed<'_> {
         state
     }
 
-    fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Trace, ReadFault> {
+    fn assemble(self, text: &mut TextSource<'_>, rows: Rows) -> Result<Trace, ReadFault> {
         let name = self.name;
         let Rows {
             mut x,
@@ -409,7 +409,7 @@ impl Parsed<'_> {
         column: Option<Spacing>,
         special: &Special,
         warnings: &mut Vec<Warning>,
-    ) -> Result<Measured, ReadFault> {
+    ) -> Result<MeasuredSpacing, ReadFault> {
         let (low, high) = extremes(heights);
         let span = high - low;
         let extent = |spacing: f64| Extent {
@@ -421,11 +421,11 @@ impl Parsed<'_> {
         let z_stated = self.unit(Axis::Height, self.chosen.z, special.unit, warnings)?;
         if let Some(dx) = self.options.spacing() {
             warnings.extend(x.and_then(|x| self.overridden(x, dx)));
-            let spacing = (dx.si(), SpacingSource::Stated);
-            return without_x(spacing, z_stated, extent(dx.si()), warnings);
+            let source = SpacingSource::Stated;
+            return without_x(dx.si(), source, z_stated, extent(dx.si()), warnings);
         }
         if let (Some(spacing), Some(z_unit)) = (special.spacing, z_stated) {
-            return Ok(Measured {
+            return Ok(MeasuredSpacing {
                 spacing,
                 source: SpacingSource::FirstLine,
                 x_unit: Some(LengthUnit::Micrometre),
@@ -438,8 +438,8 @@ impl Parsed<'_> {
                 stated,
             };
             warnings.extend(self.options.x_unit.map(not_used));
-            let of_header = (spacing, SpacingSource::Header);
-            return without_x(of_header, z_stated, extent(spacing), warnings);
+            let source = SpacingSource::Header;
+            return without_x(spacing, source, z_stated, extent(spacing), warnings);
         }
         let (Some(x), Some(x_column), Some(column)) = (x, self.chosen.x, column) else {
             return no_spacing(SpacingHint::None);
@@ -479,7 +479,7 @@ impl Parsed<'_> {
             }
             _ => (from_column, SpacingSource::XColumn),
         };
-        Ok(Measured {
+        Ok(MeasuredSpacing {
             spacing,
             source,
             x_unit: Some(x_unit),
@@ -537,11 +537,12 @@ impl Parsed<'_> {
 
 /// Spacing \[m\] of heights without x, with their unit: as stated, or the only possible one.
 fn without_x(
-    (spacing, source): (f64, SpacingSource),
+    spacing: f64,
+    source: SpacingSource,
     z_stated: Option<LengthUnit>,
     extent: Extent,
     warnings: &mut Vec<Warning>,
-) -> Result<Measured, ReadFault> {
+) -> Result<MeasuredSpacing, ReadFault> {
     let z_unit = z_stated.or_else(|| units::heights_only(extent));
     let z_unit = z_unit.ok_or_else(|| ReadFault::no_unit(Axis::Height, extent.span))?;
     if z_stated.is_none() {
@@ -550,7 +551,7 @@ fn without_x(
             unit: z_unit,
         });
     }
-    Ok(Measured {
+    Ok(MeasuredSpacing {
         spacing,
         source,
         x_unit: None,

@@ -88,7 +88,7 @@ const MOST_COLUMNS: usize = 1 << 16;
 
 /// Content of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Cell {
+pub(super) enum DialectCell {
     Number(f64),
     Missing,
     Other,
@@ -122,7 +122,7 @@ impl Dialect {
     pub(super) fn joined(self, line: &str) -> impl Iterator<Item = &str> {
         let mut before = None;
         self.cells(line).filter(move |cell| {
-            let word = is_word(cell) && self.cell(cell) == Cell::Other;
+            let word = is_word(cell) && self.cell(cell) == DialectCell::Other;
             let word = (word && self.separator == Separator::Blank).then_some(*cell);
             let goes_on = word.is_some() && before.is_some() && word != before;
             before = word;
@@ -131,12 +131,12 @@ impl Dialect {
     }
 
     /// Content of `cell`; a number must be written in digits with this dialect's decimal sign.
-    pub(super) fn cell(self, cell: &str) -> Cell {
+    pub(super) fn cell(self, cell: &str) -> DialectCell {
         match self.number(cell) {
-            Some(value) if value.is_finite() => Cell::Number(value),
-            Some(_) => Cell::Missing,
-            None if is_missing(cell) => Cell::Missing,
-            None => Cell::Other,
+            Some(value) if value.is_finite() => DialectCell::Number(value),
+            Some(_) => DialectCell::Missing,
+            None if is_missing(cell) => DialectCell::Missing,
+            None => DialectCell::Other,
         }
     }
 
@@ -192,7 +192,7 @@ impl Dialect {
             let filled = cells.iter().rposition(|cell| !cell.is_empty())? + 1;
             let is_number = |column: usize| {
                 let cell = cells.get(column.checked_sub(1)?)?;
-                (self.cell(cell) != Cell::Other).then_some(())
+                (self.cell(cell) != DialectCell::Other).then_some(())
             };
             is_number(z)?;
             if let Some(x) = x {
@@ -209,11 +209,11 @@ impl Dialect {
             }
             filled = count;
             match self.cell(cell) {
-                Cell::Number(_) => numbers += 1,
-                Cell::Missing => {}
+                DialectCell::Number(_) => numbers += 1,
+                DialectCell::Missing => {}
                 // The first cell of a row may be its name.
-                Cell::Other if is_word(cell) && count > 1 => words += 1,
-                Cell::Other => return None,
+                DialectCell::Other if is_word(cell) && count > 1 => words += 1,
+                DialectCell::Other => return None,
             }
             Some(())
         })?;
@@ -289,14 +289,14 @@ fn trim_cell(cell: &str) -> &str {
 
 /// Stated parts of the dialect.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Stated {
+pub(super) struct StatedDialect {
     pub separator: Option<Separator>,
     pub decimal: Option<DecimalSign>,
     pub columns: Option<Columns>,
 }
 
 /// The dialect with the most rows of numbers; `None` if there are none.
-pub(super) fn sniff(lines: &[Line<'_>], stated: Stated) -> Option<Sniffed> {
+pub(super) fn sniff(lines: &[Line<'_>], stated: StatedDialect) -> Option<Sniffed> {
     let occurs = |sign: char| lines.iter().any(|line| line.text.contains(sign));
     let fits = |(separator, decimal): &(Separator, DecimalSign)| {
         let is_possible = match stated.separator {
@@ -332,7 +332,7 @@ fn comma_is_decimal(lines: &[Line<'_>], as_columns: &Sniffed, other: Dialect) ->
     lines[as_columns.first..].iter().any(|line| {
         let dialect = as_columns.dialect;
         let first = dialect.cells(line.text).next();
-        let Some(Cell::Number(x)) = first.map(|cell| dialect.cell(cell)) else {
+        let Some(DialectCell::Number(x)) = first.map(|cell| dialect.cell(cell)) else {
             return false;
         };
         let falls = x <= last;
@@ -341,7 +341,7 @@ fn comma_is_decimal(lines: &[Line<'_>], as_columns: &Sniffed, other: Dialect) ->
     })
 }
 
-fn try_dialect(lines: &[Line<'_>], dialect: Dialect, stated: Stated) -> Option<Sniffed> {
+fn try_dialect(lines: &[Line<'_>], dialect: Dialect, stated: StatedDialect) -> Option<Sniffed> {
     const SAMPLE: usize = 400;
     let step = lines.len().div_ceil(SAMPLE).max(1);
     let widths: Vec<usize> = lines
@@ -405,8 +405,8 @@ fn first_marked(lines: &[Line<'_>], dialect: Dialect, columns: usize, first: usi
         let cells: Vec<&str> = dialect.joined(line.text).collect();
         let (others, numbers): (Vec<&str>, Vec<&str>) = cells
             .iter()
-            .filter(|cell| dialect.cell(cell) != Cell::Missing)
-            .partition(|cell| dialect.cell(cell) == Cell::Other);
+            .filter(|cell| dialect.cell(cell) != DialectCell::Missing)
+            .partition(|cell| dialect.cell(cell) == DialectCell::Other);
         cells.len() == columns
             && !numbers.is_empty()
             && others
@@ -425,7 +425,7 @@ mod tests {
     fn sniff_text(text: &str) -> Option<(Dialect, usize, usize)> {
         let head = Head::from_text(text);
         let lines: Vec<_> = head.lines().collect();
-        sniff(&lines, Stated::default()).map(|s| (s.dialect, s.columns, s.first))
+        sniff(&lines, StatedDialect::default()).map(|s| (s.dialect, s.columns, s.first))
     }
 
     #[test]
@@ -466,13 +466,13 @@ mod tests {
             decimal: DecimalSign::Comma,
             ..point
         };
-        assert_eq!(point.cell("-1.5e-3"), Cell::Number(-1.5e-3));
-        assert_eq!(point.cell("−1.5"), Cell::Number(-1.5));
-        assert_eq!(comma.cell("-0,5"), Cell::Number(-0.5));
-        assert_eq!(comma.cell("1,234,5"), Cell::Other);
-        assert_eq!(point.cell("0,5"), Cell::Other);
+        assert_eq!(point.cell("-1.5e-3"), DialectCell::Number(-1.5e-3));
+        assert_eq!(point.cell("−1.5"), DialectCell::Number(-1.5));
+        assert_eq!(comma.cell("-0,5"), DialectCell::Number(-0.5));
+        assert_eq!(comma.cell("1,234,5"), DialectCell::Other);
+        assert_eq!(point.cell("0,5"), DialectCell::Other);
         for missing in MISSING.iter().chain(&["NaN", "Bad", "1e999"]) {
-            assert_eq!(point.cell(missing), Cell::Missing, "{missing}");
+            assert_eq!(point.cell(missing), DialectCell::Missing, "{missing}");
         }
         // Thousands separators, where they can be nothing else.
         for (dialect, number, value) in [
@@ -485,10 +485,10 @@ mod tests {
             (comma, "1\u{a0}234\u{a0}567", 1_234_567.0),
             (comma, "1\u{202f}234,5", 1234.5),
         ] {
-            assert_eq!(dialect.cell(number), Cell::Number(value), "{number}");
+            assert_eq!(dialect.cell(number), DialectCell::Number(value), "{number}");
         }
         for (dialect, doubtful) in [(point, "1,234"), (comma, "1.234")] {
-            assert_eq!(dialect.cell(doubtful), Cell::Other);
+            assert_eq!(dialect.cell(doubtful), DialectCell::Other);
             assert!(dialect.may_be_grouped(doubtful));
         }
         for other in [
@@ -499,7 +499,7 @@ mod tests {
             ",234.5",
             "1,,234.5",
         ] {
-            assert_eq!(point.cell(other), Cell::Other, "{other}");
+            assert_eq!(point.cell(other), DialectCell::Other, "{other}");
         }
     }
 }

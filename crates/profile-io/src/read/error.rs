@@ -172,9 +172,10 @@ impl ReadFault {
         let units = [Micrometre, Nanometre, Millimetre, Metre].into_iter();
         let possible = units.filter(|unit| range.contains(&unit.metres(span)));
         let proposed: Vec<String> = possible.map(|unit| unit.to_string()).collect();
-        let value = match proposed.is_empty() {
-            true => Value::Any,
-            false => Value::OneOf(proposed.join(" | ").into()),
+        let value = if proposed.is_empty() {
+            Value::Any
+        } else {
+            Value::OneOf(proposed.join(" | ").into())
         };
         Self::new(
             Code::E104,
@@ -206,9 +207,10 @@ impl ReadFault {
                     number(previous),
                     number(next)
                 ),
-                match is_grouped {
-                    true => Remedy::act(WITHOUT_THOUSANDS),
-                    false => remedy,
+                if is_grouped {
+                    Remedy::act(WITHOUT_THOUSANDS)
+                } else {
+                    remedy
                 },
             )
         };
@@ -252,7 +254,8 @@ impl ReadFault {
     /// `missing` of `points` points have no height; `first` is what the line of the first reads, or which point of the trace
     /// or surface it is, and `fillable` whether [`Gaps::Interpolate`](super::Gaps::Interpolate) would fill them.
     pub(super) fn missing_points(
-        (line, first): (Option<usize>, &str),
+        line: Option<usize>,
+        first: &str,
         [missing, points]: [usize; 2],
         fillable: bool,
     ) -> Self {
@@ -369,9 +372,10 @@ impl ReadFault {
 
     /// The columns of x and height are unclear; `labels` are those of the columns, if they have any.
     pub(super) fn columns_unclear(columns: usize, labels: &[String]) -> Self {
-        let labels = match labels.is_empty() {
-            true => String::new(),
-            false => format!(" ({})", labels.join(", ")),
+        let labels = if labels.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", labels.join(", "))
         };
         let remedy = Remedy::set(Setting::Columns, Value::Like("1,2".into()));
         Self::new(
@@ -431,9 +435,10 @@ impl ReadFault {
 
     /// An invalid file of a known format, with the invalid content, which may be empty.
     pub(super) fn damaged(format: Format, what: &'static str, seen: &str) -> Self {
-        let seen = match seen.is_empty() {
-            true => String::new(),
-            false => format!(" (\"{seen}\")"),
+        let seen = if seen.is_empty() {
+            String::new()
+        } else {
+            format!(" (\"{seen}\")")
         };
         Self::new(
             Code::E117,
@@ -510,9 +515,10 @@ impl ReadFault {
         seems: &FileDialect,
         remedy: Remedy,
     ) -> Self {
-        let text = match faults.is_dialect() {
-            true => format!("{self}; {faults}; {seems}"),
-            false => format!("{self}; {seems}"),
+        let text = if faults.is_dialect() {
+            format!("{self}; {faults}; {seems}")
+        } else {
+            format!("{self}; {seems}")
         };
         let fault = Self::new(self.code(), text, remedy);
         match self.line() {

@@ -3,17 +3,17 @@
 use asperity_core::RepeatedFault;
 
 use super::damage::{height, not_a_number};
-use super::dialect::{Cell, Sniffed, is_word};
+use super::dialect::{DialectCell, Sniffed, is_word};
 use super::error::{CellRemedy, ReadFault};
 use super::format::Format;
 use super::layout::Dialect;
 use super::options::LengthUnit;
 use super::seems::FileDialect;
-use super::text::Lines;
+use super::text::TextLines;
 
 /// A faulty row, as its fault is compared with others.
 #[derive(PartialEq)]
-enum Kind {
+enum DialectKind {
     /// The cell of this column is not a number.
     Cell(usize),
     /// The row has this number of cells.
@@ -24,8 +24,9 @@ enum Kind {
 /// lines in a row without a row of the table, are a fault of the file.
 pub(super) fn of_file(
     fault: ReadFault,
-    (number, text): (usize, &str),
-    lines: &mut Lines<'_, '_>,
+    number: usize,
+    text: &str,
+    lines: &mut TextLines<'_, '_>,
     sniffed: &Sniffed,
 ) -> Result<ReadFault, ReadFault> {
     let dialect = sniffed.dialect;
@@ -35,7 +36,7 @@ pub(super) fn of_file(
     let mut faults = RepeatedFault::default();
     faults.add(number, text);
     let mut marks = Marks::from_cell(cell);
-    let is_number = |cell: &str| matches!(dialect.cell(cell), Cell::Number(_));
+    let is_number = |cell: &str| matches!(dialect.cell(cell), DialectCell::Number(_));
     let is_text = !dialect.cells(text).any(is_number);
     // A shorter line that begins with a word is the head of another table, not a row with a fault.
     let begins_with_word = dialect.cells(text).next().is_some_and(|cell| {
@@ -48,7 +49,7 @@ pub(super) fn of_file(
             continue;
         }
         let cells: Vec<&str> = dialect.cells(line.text).collect();
-        let is_height = |cell: &&str| dialect.cell(cell) != Cell::Other || is_word(cell);
+        let is_height = |cell: &&str| dialect.cell(cell) != DialectCell::Other || is_word(cell);
         let is_row = cells.len() == sniffed.columns
             && cells.iter().any(|cell| is_number(cell))
             && cells.iter().all(is_height);
@@ -58,10 +59,10 @@ pub(super) fn of_file(
             false => {}
         }
         let like = match kind {
-            Kind::Cell(at) => cells
+            DialectKind::Cell(at) => cells
                 .get(at)
-                .filter(|cell| dialect.cell(cell) == Cell::Other),
-            Kind::Width(width) => cells.first().filter(|_| cells.len() == width),
+                .filter(|cell| dialect.cell(cell) == DialectCell::Other),
+            DialectKind::Width(width) => cells.first().filter(|_| cells.len() == width),
         };
         if let Some(cell) = like {
             faults.add(line.number, line.text);
@@ -72,12 +73,14 @@ pub(super) fn of_file(
     const HEADER: usize = 2;
     let seems = match (&kind, &fault) {
         _ if follows && begins_with_word => FileDialect::Tables,
-        (kind, _) if follows && block >= HEADER && (is_text || matches!(kind, Kind::Width(_))) => {
+        (kind, _)
+            if follows && block >= HEADER && (is_text || matches!(kind, DialectKind::Width(_))) =>
+        {
             FileDialect::Tables
         }
         _ if !faults.is_dialect() => return Ok(fault),
-        (Kind::Width(_), _) if !follows => FileDialect::Tables,
-        (Kind::Width(_), _) => FileDialect::Ragged,
+        (DialectKind::Width(_), _) if !follows => FileDialect::Tables,
+        (DialectKind::Width(_), _) => FileDialect::Ragged,
         (
             _,
             ReadFault::UnreadableNumber {
@@ -92,22 +95,22 @@ pub(super) fn of_file(
                 ..
             },
         ) => FileDialect::Thousands,
-        (Kind::Cell(at), _) => marks.seem(*at, text, dialect),
+        (DialectKind::Cell(at), _) => marks.seem(*at, text, dialect),
     };
     let remedy = seems.remedy(fault.remedy(), false);
     Ok(fault.of_file(&faults, &seems, remedy))
 }
 
 /// The kind of a fault of a row with `text`, and its cell; `None` for other faults.
-fn kind<'t>(fault: &ReadFault, text: &'t str, sniffed: &Sniffed) -> Option<(Kind, &'t str)> {
+fn kind<'t>(fault: &ReadFault, text: &'t str, sniffed: &Sniffed) -> Option<(DialectKind, &'t str)> {
     match fault {
         ReadFault::UnreadableNumber { .. } => {
-            let is_text = |cell: &str| sniffed.dialect.cell(cell) == Cell::Other;
+            let is_text = |cell: &str| sniffed.dialect.cell(cell) == DialectCell::Other;
             let mut cells = sniffed.dialect.cells(text).enumerate();
             let (at, cell) = cells.find(|(_, cell)| is_text(cell))?;
-            Some((Kind::Cell(at), cell))
+            Some((DialectKind::Cell(at), cell))
         }
-        ReadFault::RaggedRow { found, .. } => Some((Kind::Width(*found), "")),
+        ReadFault::RaggedRow { found, .. } => Some((DialectKind::Width(*found), "")),
         _ => None,
     }
 }
@@ -142,7 +145,7 @@ impl Marks {
         if let Some(mark) = &self.same {
             return FileDialect::Mark(mark.clone());
         }
-        let is_number = |cell: &str| matches!(dialect.cell(cell), Cell::Number(_));
+        let is_number = |cell: &str| matches!(dialect.cell(cell), DialectCell::Number(_));
         let cells = dialect.cells(text).enumerate();
         let mut numbers = cells
             .filter(|(_, cell)| is_number(cell))
@@ -193,7 +196,7 @@ impl BadHeights {
     /// The fault together with the like ones of the remaining `lines`: ten or more are a fault of the file.
     pub(super) fn in_all(
         mut self,
-        lines: &mut Lines<'_, '_>,
+        lines: &mut TextLines<'_, '_>,
         heights: impl Fn(&str) -> &str,
     ) -> ReadFault {
         loop {

@@ -5,10 +5,10 @@ use super::error::{ReadFault, shortened};
 use super::layout::Dialect;
 use super::options::ReadOptions;
 use super::table;
-use super::text::{Line, Text};
+use super::text::{Line, TextSource};
 
 /// The error for a file without a row of numbers.
-pub(super) fn no_data(text: &mut Text<'_>) -> Result<ReadFault, ReadFault> {
+pub(super) fn no_data(text: &mut TextSource<'_>) -> Result<ReadFault, ReadFault> {
     let (mut count, mut first) = (0, None);
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
@@ -25,7 +25,7 @@ pub(super) fn sniff(
     lines: &[Line<'_>],
     options: &ReadOptions,
 ) -> Result<Option<Sniffed>, ReadFault> {
-    let stated = dialect::Stated {
+    let stated = dialect::StatedDialect {
         separator: options.separator,
         decimal: options.decimal,
         columns: options.columns,
@@ -35,7 +35,7 @@ pub(super) fn sniff(
     }
     let free = dialect::sniff(
         lines,
-        dialect::Stated {
+        dialect::StatedDialect {
             columns: options.columns,
             ..Default::default()
         },
@@ -50,7 +50,7 @@ pub(super) fn sniff(
     };
     let line = &lines[free.first];
     let mut cells = used.cells(line.text);
-    match cells.find(|cell| used.cell(cell) == dialect::Cell::Other) {
+    match cells.find(|cell| used.cell(cell) == dialect::DialectCell::Other) {
         Some(cell) => Err(table::unreadable(lines, line, cell, used)),
         None => Err(ReadFault::separator_does_not_fit(used.separator)),
     }

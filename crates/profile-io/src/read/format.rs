@@ -15,7 +15,7 @@ const UNPACKED: &str =
     "take a released binary or wheel, build with feature packed, or export the profile as text";
 
 /// Facts about a format without its reader.
-struct Row {
+struct FormatRow {
     format: Format,
     title: &'static str,
     starts: &'static [&'static [u8]],
@@ -36,7 +36,7 @@ macro_rules! formats {
             $($(#[$meta])+ $name),+
         }
 
-        const ROWS: &[Row] = &[$(Row {
+        const ROWS: &[FormatRow] = &[$(FormatRow {
             format: Format::$name,
             title: $title,
             starts: &[$($start),*],
@@ -189,7 +189,7 @@ impl std::fmt::Display for Format {
 }
 
 impl Format {
-    fn row(self) -> &'static Row {
+    fn row(self) -> &'static FormatRow {
         // The rows are in the order of the variants.
         &ROWS[self as usize]
     }
@@ -217,14 +217,14 @@ impl Format {
     /// The format that the first bytes settle.
     pub(super) fn starting(bytes: &[u8]) -> Option<Self> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let starts = |row: &&Row| row.starts.iter().any(|start| bytes.starts_with(start));
+        let starts = |row: &&FormatRow| row.starts.iter().any(|start| bytes.starts_with(start));
         ROWS.iter().find(starts).map(|row| row.format)
     }
 
     /// The format that the extension of `name` suggests, for content that is not text.
     pub(super) fn named(name: &str) -> Option<Self> {
         let extension = extension(name);
-        let is_named = |row: &&Row| row.extensions.contains(&extension.as_str());
+        let is_named = |row: &&FormatRow| row.extensions.contains(&extension.as_str());
         ROWS.iter().find(is_named).map(|row| row.format)
     }
 }

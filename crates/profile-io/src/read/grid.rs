@@ -70,7 +70,7 @@ impl Unevenness {
 }
 
 /// Returns the line number and text of a row, counted from 0 in the order of the file.
-pub(super) type Place<'a> = dyn FnMut(usize) -> Result<(usize, String), ReadFault> + 'a;
+pub(super) type GridPlace<'a> = dyn FnMut(usize) -> Result<(usize, String), ReadFault> + 'a;
 
 /// Returns an error for fewer points than a profile requires.
 pub(super) fn enough(points: usize) -> Result<(), ReadFault> {
@@ -92,9 +92,10 @@ pub(super) fn enough_of_line(
         TraceLine::Mean => TraceLine::MeanColumn,
         TraceLine::MeanColumn => TraceLine::Mean,
     };
-    match points < FEWEST_POINTS && across >= FEWEST_POINTS {
-        true => Err(ReadFault::lines_too_short(points, other)),
-        false => Ok(()),
+    if points < FEWEST_POINTS && across >= FEWEST_POINTS {
+        Err(ReadFault::lines_too_short(points, other))
+    } else {
+        Ok(())
     }
 }
 
@@ -110,13 +111,14 @@ pub(super) fn chosen_row(
 }
 
 /// Checks order and evenness of x and returns its spacing. A descending x is reversed.
-pub(super) fn spacing(x: &mut [f64], place: &mut Place<'_>) -> Result<Spacing, ReadFault> {
+pub(super) fn spacing(x: &mut [f64], place: &mut GridPlace<'_>) -> Result<Spacing, ReadFault> {
     let (first, last) = (x[0], x[x.len() - 1]);
     let falls = last < first;
     let mut pairs = x.windows(2);
-    let turn = match falls {
-        false => pairs.position(|pair| pair[1] < pair[0]),
-        true => pairs.position(|pair| pair[1] > pair[0]),
+    let turn = if falls {
+        pairs.position(|pair| pair[1] > pair[0])
+    } else {
+        pairs.position(|pair| pair[1] < pair[0])
     };
     // A trace that ends at its start must change its direction.
     let is_closed = (last == first).then_some(0);
@@ -156,9 +158,10 @@ pub(super) fn unevenness(x: &[f64]) -> Option<(usize, Unevenness)> {
     let steps = || x.windows(2).map(|pair| pair[1] - pair[0]);
     let larger = |most: f64, value: f64| if value > most { value } else { most };
     // Lost rows cause a step of at least 1.5 mean steps; only then are they searched for.
-    let lost = match steps().fold(0.0, larger) > 1.5 * mean {
-        true => lost_rows(x),
-        false => None,
+    let lost = if steps().fold(0.0, larger) > 1.5 * mean {
+        lost_rows(x)
+    } else {
+        None
     };
     let grid = |at: usize| x[0] + mean * at as f64;
     let offs = x.iter().enumerate().map(|(at, x)| (x - grid(at)).abs());
@@ -291,7 +294,8 @@ pub(super) fn heights(
     if gaps == Gaps::Refuse || !fillable {
         let (line, first) = first(gap)?;
         return Err(ReadFault::missing_points(
-            (line, &first),
+            line,
+            &first,
             [missing, z.len()],
             fillable,
         ));
@@ -309,7 +313,8 @@ pub(super) fn heights(
 /// Heights with bridges over missing ones, level at the ends, so that every row keeps its places; and the number of points bridged
 /// among those that are used. Refused if more than a quarter of these is missing, or one with [`Gaps::Refuse`].
 pub(super) fn bridged(
-    (z, used): (&[f64], Range<usize>),
+    z: &[f64],
+    used: Range<usize>,
     options: &ReadOptions,
 ) -> Result<(Vec<f64>, usize), ReadFault> {
     let (_, _, inner) = interpolate(z);
@@ -322,7 +327,8 @@ pub(super) fn bridged(
         let gap = of_used.iter().position(|z| !z.is_finite()).unwrap_or(0);
         let first = node(used.start + gap, options, None);
         return Err(ReadFault::missing_points(
-            (None, &first),
+            None,
+            &first,
             [missing, of_used.len()],
             fillable && !inner.is_empty(),
         ));
@@ -406,7 +412,7 @@ mod tests {
                 gaps,
                 ..ReadOptions::default()
             };
-            bridged((z, used), &options).map_err(|fault| fault.in_file("a.sur").to_string())
+            bridged(z, used, &options).map_err(|fault| fault.in_file("a.sur").to_string())
         };
         // Points that are not used are bridged and do not count.
         let row = vec![1.0, 1.0, 2.0, 3.0, 4.0, 4.0];

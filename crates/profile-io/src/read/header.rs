@@ -40,13 +40,13 @@ pub(super) enum Role {
 
 /// A unit stated in a header.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Stated {
+pub(super) enum StatedHeader {
     Length(LengthUnit),
     /// Text in brackets that is not a known unit of length.
     Other(String),
 }
 
-impl Stated {
+impl StatedHeader {
     /// The unit of length of `axis`.
     pub(super) fn length(&self, axis: Axis) -> Result<LengthUnit, ReadFault> {
         match self {
@@ -58,12 +58,12 @@ impl Stated {
 
 /// The unit that a file states for an axis; an unknown one is an error unless `options` state the unit.
 pub(super) fn unit_of_file(
-    found: Option<&Stated>,
+    found: Option<&StatedHeader>,
     axis: Axis,
     options: &ReadOptions,
 ) -> Result<Option<LengthUnit>, ReadFault> {
     match found {
-        Some(Stated::Other(_)) if options.unit(axis).is_some() => Ok(None),
+        Some(StatedHeader::Other(_)) if options.unit(axis).is_some() => Ok(None),
         found => found.map(|unit| unit.length(axis)).transpose(),
     }
 }
@@ -74,7 +74,7 @@ pub(super) struct Label {
     /// As it is written in the last line that has a text for the column.
     pub text: String,
     pub role: Option<Role>,
-    pub unit: Option<Stated>,
+    pub unit: Option<StatedHeader>,
     /// Whether the values are named depths.
     pub is_depth: bool,
 }
@@ -335,18 +335,18 @@ fn roll(label: &str) -> Option<Abscissa> {
 }
 
 /// The unit in a label: "[mm]", "(um)", "x in um", "x_mm", "z / nm", "z µm", "mm".
-pub(super) fn unit_of(cell: &str) -> Option<Stated> {
+pub(super) fn unit_of(cell: &str) -> Option<StatedHeader> {
     let opening = cell.rfind(['[', '(']);
     if let Some(at) = opening {
         let inside = cell[at + 1..].trim_end_matches([']', ')', ' ']);
         if matches!(inside, "in" | "\"") {
-            return Some(Stated::Length(LengthUnit::Inch));
+            return Some(StatedHeader::Length(LengthUnit::Inch));
         }
         let is_unit =
             inside.chars().next().is_some_and(char::is_alphabetic) || inside.starts_with('"');
         return match unit(inside) {
-            Some(unit) => Some(Stated::Length(unit)),
-            None if is_unit => Some(Stated::Other(inside.to_owned())),
+            Some(unit) => Some(StatedHeader::Length(unit)),
+            None if is_unit => Some(StatedHeader::Other(inside.to_owned())),
             None => None,
         };
     }
@@ -360,11 +360,11 @@ pub(super) fn unit_of(cell: &str) -> Option<Stated> {
         || before.is_empty()
         || before.to_lowercase().ends_with(" in")
         || cell.contains(['_', '/']);
-    certain.then_some(Stated::Length(unit))
+    certain.then_some(StatedHeader::Length(unit))
 }
 
 /// All units of a line, in order: in brackets, or after the word "in".
-fn units_in_order(line: &str) -> Vec<Stated> {
+fn units_in_order(line: &str) -> Vec<StatedHeader> {
     let mut units = Vec::new();
     let mut after_in = false;
     for word in line
@@ -375,7 +375,7 @@ fn units_in_order(line: &str) -> Vec<Stated> {
         if bracketed {
             units.extend(unit_of(word));
         } else if after_in {
-            units.extend(unit(word).map(Stated::Length));
+            units.extend(unit(word).map(StatedHeader::Length));
         }
         after_in = word.eq_ignore_ascii_case("in");
     }
@@ -463,7 +463,11 @@ mod tests {
             ("m", Metre),
             ("Z µm", Micrometre),
         ] {
-            assert_eq!(unit_of(label), Some(Stated::Length(expected)), "{label}");
+            assert_eq!(
+                unit_of(label),
+                Some(StatedHeader::Length(expected)),
+                "{label}"
+            );
         }
         for (label, expected) in [
             ("z [inch]", LengthUnit::Inch),
@@ -472,12 +476,16 @@ mod tests {
             ("z in microinches", LengthUnit::Microinch),
             ("z (mil)", LengthUnit::Mil),
         ] {
-            assert_eq!(unit_of(label), Some(Stated::Length(expected)), "{label}");
+            assert_eq!(
+                unit_of(label),
+                Some(StatedHeader::Length(expected)),
+                "{label}"
+            );
         }
         assert_eq!(unit_of("z in"), None);
         assert_eq!(
             unit_of("z [furlong]"),
-            Some(Stated::Other("furlong".into()))
+            Some(StatedHeader::Other("furlong".into()))
         );
         assert_eq!(unit_of("[1/0]"), None);
         assert_eq!(unit_of("column m"), None);
@@ -540,8 +548,8 @@ mod tests {
         assert_eq!(
             units,
             [
-                Some(Stated::Length(LengthUnit::Millimetre)),
-                Some(Stated::Length(LengthUnit::Micrometre)),
+                Some(StatedHeader::Length(LengthUnit::Millimetre)),
+                Some(StatedHeader::Length(LengthUnit::Micrometre)),
                 None
             ]
         );
@@ -562,8 +570,8 @@ mod tests {
         assert_eq!(
             units,
             [
-                Some(Stated::Length(LengthUnit::Millimetre)),
-                Some(Stated::Length(LengthUnit::Micrometre))
+                Some(StatedHeader::Length(LengthUnit::Millimetre)),
+                Some(StatedHeader::Length(LengthUnit::Micrometre))
             ]
         );
     }

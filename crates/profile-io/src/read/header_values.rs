@@ -2,7 +2,7 @@
 
 use asperity_core::quantity::Length;
 
-use super::header::{self, FilterState, Role, Stated};
+use super::header::{self, FilterState, Role, StatedHeader};
 use super::metadata;
 use super::options::LengthUnit;
 use super::text::Line;
@@ -164,7 +164,7 @@ pub(super) struct HeaderValues {
     lateral: Option<LengthUnit>,
     lateral_of_sides: Option<LengthUnit>,
     /// Unit of the heights.
-    pub z_unit: Option<Stated>,
+    pub z_unit: Option<StatedHeader>,
     /// Length that one in the numbers of a matrix is \[m\].
     scale: Option<f64>,
     /// Base radius of the gear.
@@ -221,9 +221,10 @@ impl HeaderValues {
     fn take(&mut self, key: &str, value: &str) {
         let name = name(key);
         let is = |names: &[&str]| names.contains(&name.as_str());
-        let lateral = match is(&WIDTH) || is(&HEIGHT) {
-            true => self.lateral_of_sides,
-            false => self.lateral,
+        let lateral = if is(&WIDTH) || is(&HEIGHT) {
+            self.lateral_of_sides
+        } else {
+            self.lateral
         };
         let length = || length(key, value, lateral);
         let count = || metadata::number(value).filter(|n| *n >= 1.0 && n.fract() == 0.0);
@@ -240,8 +241,8 @@ impl HeaderValues {
             }
             () if is(&UNIT) => {
                 self.z_unit = header::unit(value)
-                    .map(Stated::Length)
-                    .or_else(|| (!value.is_empty()).then(|| Stated::Other(value.to_owned())))
+                    .map(StatedHeader::Length)
+                    .or_else(|| (!value.is_empty()).then(|| StatedHeader::Other(value.to_owned())))
             }
             () if name == SCALE => self.scale = self::length(&key.replace("->", ""), value, None),
             () if name == SCALE_IN_NANOMETRES => {
@@ -266,7 +267,7 @@ impl HeaderValues {
 
     /// Length that one in the heights of a matrix is \[m\], unless they have a unit of length.
     pub(super) fn scale(&self) -> Option<f64> {
-        let has_unit = matches!(self.z_unit, Some(Stated::Length(_)));
+        let has_unit = matches!(self.z_unit, Some(StatedHeader::Length(_)));
         self.scale.filter(|_| !has_unit)
     }
 
@@ -299,9 +300,10 @@ fn statements(text: &str) -> Vec<&str> {
         let parts = word.split_once('=');
         parts.is_some_and(|(key, value)| !key.is_empty() && !value.is_empty())
     };
-    match words.len() > 1 && words.iter().all(is_statement) {
-        true => words,
-        false => vec![text],
+    if words.len() > 1 && words.iter().all(is_statement) {
+        words
+    } else {
+        vec![text]
     }
 }
 
@@ -321,12 +323,13 @@ fn named_above<'l>(above: &'l str, below: &'l str) -> Vec<(&'l str, String)> {
     let [names, values] = [above, below].map(|line| line.split('\t').collect::<Vec<_>>());
     let is_number = |cell: &&str| metadata::number(cell).is_some();
     let fits = names.len() > 1 && names.len() == values.len();
-    match fits && values.iter().all(is_number) && !names.iter().any(is_number) {
-        true => names
+    if fits && values.iter().all(is_number) && !names.iter().any(is_number) {
+        names
             .into_iter()
             .zip(values.into_iter().map(str::to_owned))
-            .collect(),
-        false => Vec::new(),
+            .collect()
+    } else {
+        Vec::new()
     }
 }
 
@@ -351,8 +354,8 @@ fn name(key: &str) -> String {
 /// A positive length \[m\] with its unit behind the number or in the name, or in the unit of lengths without one.
 fn length(key: &str, value: &str, lateral: Option<LengthUnit>) -> Option<f64> {
     let number = || match header::unit_of(key.trim_matches([' ', '"'])) {
-        Some(Stated::Length(unit)) => Some(unit.metres(metadata::number(value)?)),
-        Some(Stated::Other(_)) => None,
+        Some(StatedHeader::Length(unit)) => Some(unit.metres(metadata::number(value)?)),
+        Some(StatedHeader::Other(_)) => None,
         None => Some(lateral?.metres(metadata::number(value)?)),
     };
     let length = metadata::length(value).map(Length::si).or_else(number)?;
@@ -426,15 +429,24 @@ mod tests {
             let values = of(text);
             let [x, y] = values.spacings(24, 12).map(Option::unwrap);
             assert!((x / 0.5e-6 - 1.0).abs() < 1e-12 && (y / 0.5e-6 - 1.0).abs() < 1e-12);
-            assert_eq!(values.z_unit, Some(Stated::Length(LengthUnit::Nanometre)));
+            assert_eq!(
+                values.z_unit,
+                Some(StatedHeader::Length(LengthUnit::Nanometre))
+            );
             assert!(values.are_of_matrix(24));
         }
         let bruker = of("\\Exported image units: nm");
-        assert_eq!(bruker.z_unit, Some(Stated::Length(LengthUnit::Nanometre)));
+        assert_eq!(
+            bruker.z_unit,
+            Some(StatedHeader::Length(LengthUnit::Nanometre))
+        );
         let keyence = of("\"Output image data\",\"Height\"\n\"Unit\",\"um\"");
-        assert_eq!(keyence.z_unit, Some(Stated::Length(LengthUnit::Micrometre)));
+        assert_eq!(
+            keyence.z_unit,
+            Some(StatedHeader::Length(LengthUnit::Micrometre))
+        );
         let radians = of("# Width: 1 um\n# Value units: rad");
-        assert_eq!(radians.z_unit, Some(Stated::Other("rad".into())));
+        assert_eq!(radians.z_unit, Some(StatedHeader::Other("rad".into())));
     }
 
     #[test]

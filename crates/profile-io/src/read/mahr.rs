@@ -15,14 +15,14 @@ use super::lengths::Lengths;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
 use super::plain_row::past_end;
-use super::text::Text;
+use super::text::TextSource;
 use asperity_core::quantity::Length;
 
 const FORMAT: Format = Format::MahrText;
 
 /// Reads a Mahr text profile.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
-    let mut header = Header::default();
+pub(super) fn read(text: &mut TextSource<'_>) -> Result<Found, ReadFault> {
+    let mut header = MahrHeader::default();
     let (mut x, mut heights) = (Vec::new(), Vec::new());
     let mut first_line = None;
     let mut is_values = false;
@@ -80,14 +80,14 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
 }
 
 #[derive(Default)]
-struct Header {
+struct MahrHeader {
     points: Option<usize>,
     interval: Option<f64>,
     state: FilterState,
     metadata: Metadata,
 }
 
-impl Header {
+impl MahrHeader {
     fn take(&mut self, line: &str) {
         let Some((key, value)) = line.split_once('=') else {
             return;
@@ -161,9 +161,10 @@ fn point(line: &str) -> Result<(f64, f64), ReadFault> {
     };
     let x = number(x).ok_or_else(broken)?;
     let locked = lock.is_some_and(|lock| number(lock).is_some_and(|lock| lock != 0.0));
-    let z = match locked {
-        true => f64::NAN,
-        false => height(z).ok_or_else(broken)?,
+    let z = if locked {
+        f64::NAN
+    } else {
+        height(z).ok_or_else(broken)?
     };
     Ok((x, z))
 }

@@ -1,8 +1,8 @@
 //! A matrix of heights as text: one trace per row, without x and labels.
 
-use super::areal::trace::{Areal, Heights};
+use super::areal::trace::{Areal, ArealHeights};
 use super::damage::miscounted;
-use super::dialect::{Cell, Sniffed, is_word};
+use super::dialect::{DialectCell, Sniffed, is_word};
 use super::error::ReadFault;
 use super::file_dialect::of_file;
 use super::format::Format;
@@ -13,7 +13,7 @@ use super::header_values::HeaderValues;
 use super::layout::TableLayout;
 use super::lengths::Lengths;
 use super::options::{self, Axis, Columns, ReadOptions};
-use super::text::{Line, Text};
+use super::text::{Line, TextSource};
 use super::{stated_count, table};
 use crate::warning::Warning;
 
@@ -42,7 +42,7 @@ fn are_numbered(labels: &[Label]) -> bool {
 }
 
 /// A matrix in a file.
-pub(super) struct Matrix<'a, 'l> {
+pub(super) struct HeightMatrix<'a, 'l> {
     /// Lines of the head.
     head: &'a [Line<'l>],
     /// Number of the first line of the table.
@@ -53,7 +53,7 @@ pub(super) struct Matrix<'a, 'l> {
     values: &'a HeaderValues,
 }
 
-impl<'a, 'l> Matrix<'a, 'l> {
+impl<'a, 'l> HeightMatrix<'a, 'l> {
     /// The matrix that begins at the line `sniffed.first` of `head`, under a header with `values`.
     pub(super) fn new(
         head: &'a [Line<'l>],
@@ -63,9 +63,10 @@ impl<'a, 'l> Matrix<'a, 'l> {
     ) -> Self {
         let (header, table) = head.split_at(sniffed.first);
         let is_name_of_lines = |label: &Label| !label.text.ends_with(|c: char| c.is_ascii_digit());
-        let numbering = match are_numbered(labels) {
-            true => usize::from(labels.first().is_some_and(is_name_of_lines)),
-            false => numbering(header, table, sniffed),
+        let numbering = if are_numbered(labels) {
+            usize::from(labels.first().is_some_and(is_name_of_lines))
+        } else {
+            numbering(header, table, sniffed)
         };
         Self {
             head,
@@ -93,7 +94,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
     /// All rows.
     pub(super) fn surface(
         &self,
-        text: &mut Text<'_>,
+        text: &mut TextSource<'_>,
         options: &ReadOptions,
     ) -> Result<Areal, ReadFault> {
         let (columns, (mut values, lines)) = (self.points(), self.rows(text, |_| true, &mut None)?);
@@ -113,7 +114,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
         let heights = self.lengths(values, options)?;
         let kind = heights.with(());
         let values = heights.into_values();
-        let heights = kind.with(Heights::Values { values, columns });
+        let heights = kind.with(ArealHeights::Values { values, columns });
         Ok(Areal {
             spacings: self.spacings(rows),
             warnings: self.fewer()?.into_iter().collect(),
@@ -126,7 +127,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
     /// The row requested by `options`.
     pub(super) fn read(
         &self,
-        text: &mut Text<'_>,
+        text: &mut TextSource<'_>,
         options: &ReadOptions,
     ) -> Result<Found, ReadFault> {
         let mut mark = None;
@@ -171,7 +172,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
     /// Heights of the rows that `is_wanted`, and the number of all rows; the first word instead of a height is stored.
     fn rows(
         &self,
-        text: &mut Text<'_>,
+        text: &mut TextSource<'_>,
         is_wanted: impl Fn(usize) -> bool,
         mark: &mut Option<String>,
     ) -> Result<(Vec<f64>, usize), ReadFault> {
@@ -190,7 +191,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
                 Ok(_) => {}
                 Err(fault) => {
                     let (number, text) = (line.number, line.text.to_owned());
-                    return Err(of_file(fault, (number, &text), &mut lines, self.sniffed)?);
+                    return Err(of_file(fault, number, &text, &mut lines, self.sniffed)?);
                 }
             }
         }
@@ -205,13 +206,14 @@ impl<'a, 'l> Matrix<'a, 'l> {
     /// Returns an error for more rows than the header states.
     fn check_rows(&self, rows: usize) -> Result<(), ReadFault> {
         let stated = self.values.size().map_or(rows, |[_, stated]| stated);
-        match rows > stated {
-            true => Err(miscounted(
+        if rows > stated {
+            Err(miscounted(
                 FORMAT,
                 rows * self.points(),
                 stated * self.points(),
-            )),
-            false => Ok(()),
+            ))
+        } else {
+            Ok(())
         }
     }
 
@@ -219,7 +221,7 @@ impl<'a, 'l> Matrix<'a, 'l> {
     fn begins_with_number(&self, line: &Line<'_>) -> bool {
         let dialect = self.sniffed.dialect;
         let first = dialect.cells(line.text).next();
-        first.is_some_and(|cell| dialect.cell(cell) != Cell::Other)
+        first.is_some_and(|cell| dialect.cell(cell) != DialectCell::Other)
     }
 
     /// The heights of a line, in which a word is the mark of a missing one.
@@ -228,22 +230,25 @@ impl<'a, 'l> Matrix<'a, 'l> {
         let mut heights = Vec::with_capacity(columns);
         for cell in dialect.joined(line.text) {
             heights.push(match dialect.cell(cell) {
-                Cell::Number(value) => value,
-                Cell::Missing => f64::NAN,
-                Cell::Other if is_word(cell) => {
+                DialectCell::Number(value) => value,
+                DialectCell::Missing => f64::NAN,
+                DialectCell::Other if is_word(cell) => {
                     mark.get_or_insert_with(|| cell.to_owned());
                     f64::NAN
                 }
-                Cell::Other => return Err(table::unreadable(self.head, line, cell, dialect)),
+                DialectCell::Other => {
+                    return Err(table::unreadable(self.head, line, cell, dialect));
+                }
             });
         }
         // A separator at the end of each line creates an empty last cell.
         if heights.len() == columns + 1 && heights[columns].is_nan() {
             heights.pop();
         }
-        match heights.len() == columns || (self.is_wrapped() && heights.len() < columns) {
-            true => Ok(heights),
-            false => Err(table::ragged(line, heights.len(), columns)),
+        if heights.len() == columns || (self.is_wrapped() && heights.len() < columns) {
+            Ok(heights)
+        } else {
+            Err(table::ragged(line, heights.len(), columns))
         }
     }
 
@@ -274,7 +279,7 @@ fn numbering(header: &[Line<'_>], table: &[Line<'_>], sniffed: &Sniffed) -> usiz
         .dialect
         .cell(sniffed.dialect.cells(line.text).next()?)
     {
-        Cell::Number(value) => Some(value),
+        DialectCell::Number(value) => Some(value),
         _ => None,
     };
     let mut numbered = (1..).zip(table);

@@ -86,7 +86,7 @@ pub use trace::{Positions, Trace};
 use areal::trace::Areal;
 use asperity_storage::regular_file;
 use found::Found;
-use text::{Head, Start, Stream, Text};
+use text::{Head, Start, Stream, TextSource};
 
 /// Maximum size of a file in bytes: two hundred million points of text.
 const MOST_BYTES: u64 = 4 << 30;
@@ -174,7 +174,7 @@ fn surface_of(
     }
     let found = match format {
         None | Some(Format::SdfAscii) => {
-            let (head, mut text) = Text::new(name, stream, &start, options.encoding);
+            let (head, mut text) = TextSource::new(name, stream, &start, options.encoding);
             match recognise::of_text(name, &head) {
                 Some(Format::SdfAscii) => Areal {
                     encoding: Some(text.encoding),
@@ -222,9 +222,10 @@ fn open(path: &Path) -> Result<Box<dyn Stream>, ReadFault> {
     let file = regular_file(path).map_err(|source| {
         let is_odd = source.kind() == std::io::ErrorKind::Other;
         let advised = |source| format!("{source}; pass - and pipe it into standard input");
-        match is_odd {
-            true => std::io::Error::other(advised(source)),
-            false => source,
+        if is_odd {
+            std::io::Error::other(advised(source))
+        } else {
+            source
         }
     })?;
     Ok(Box::new(file))
@@ -399,20 +400,20 @@ fn trace_of(
         let found = found.ok_or_else(|| refused(format))?;
         return found.trace(options)?.finish(name, options);
     }
-    let (head, mut text) = Text::new(name, stream, &start, options.encoding);
+    let (head, mut text) = TextSource::new(name, stream, &start, options.encoding);
     let found = read_text(&start, &head, &mut text, conditions, options);
     if !text.is_malformed() {
         return found;
     }
     // The text is not UTF-8, as its head seemed; then it is in the Windows code page 1252.
-    let (head, mut text) = Text::new(name, stream, &start, Some(Encoding::Windows1252));
+    let (head, mut text) = TextSource::new(name, stream, &start, Some(Encoding::Windows1252));
     read_text(&start, &head, &mut text, conditions, options)
 }
 
 fn read_text(
     start: &Start,
     head: &Head,
-    text: &mut Text<'_>,
+    text: &mut TextSource<'_>,
     conditions: Option<&[u8]>,
     options: &ReadOptions,
 ) -> Result<Trace, ReadFault> {

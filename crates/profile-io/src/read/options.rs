@@ -67,9 +67,10 @@ impl ReadOptions {
 
     /// The stated spacing of the trace that is read: `dy` along y, if it is stated.
     pub(super) fn spacing(&self) -> Option<Length> {
-        match self.line.is_along_y() {
-            true => self.dy.or(self.dx),
-            false => self.dx,
+        if self.line.is_along_y() {
+            self.dy.or(self.dx)
+        } else {
+            self.dx
         }
     }
 }

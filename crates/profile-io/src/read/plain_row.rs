@@ -8,7 +8,7 @@ use super::dialect::LONGEST_NUMBER;
 use super::layout::Dialect;
 use super::options::{DecimalSign, Separator};
 use super::table::Chosen;
-use super::text::Lines;
+use super::text::TextLines;
 
 /// Role of a column.
 #[derive(Clone, Copy, PartialEq)]
@@ -160,7 +160,7 @@ pub(super) fn past_end(rest: &[u8], end: u8) -> Option<&[u8]> {
 
 /// Reads buffered lines that contain a single number with a decimal point, at most `most` of them, into `numbers`.
 /// Other lines are read one by one, with the same results.
-pub(super) fn take_numbers(lines: &mut Lines<'_, '_>, most: usize, numbers: &mut Vec<f64>) {
+pub(super) fn take_numbers(lines: &mut TextLines<'_, '_>, most: usize, numbers: &mut Vec<f64>) {
     let (count, bytes) = numbers_at_start(lines.at_hand(), lines.end(), most, numbers);
     lines.pass(count, bytes.len());
 }

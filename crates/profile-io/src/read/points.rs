@@ -1,6 +1,6 @@
 //! Points x, y, z as text: a single line of points, or the lines of a grid, along either coordinate first.
 
-use super::areal::trace::{Areal, Heights};
+use super::areal::trace::{Areal, ArealHeights};
 use super::dialect::Sniffed;
 use super::error::ReadFault;
 use super::format::Format;
@@ -10,7 +10,7 @@ use super::lengths::Lengths;
 use super::options::{LengthUnit, ReadOptions};
 use super::rows::{self, Rows};
 use super::table::Chosen;
-use super::text::{Line, Text};
+use super::text::{Line, TextSource};
 
 /// Largest difference of a coordinate from its value in the first line, in steps, due to rounding.
 const SAME: f64 = 0.25;
@@ -51,7 +51,7 @@ pub(super) struct PointTrace {
 
 /// The points of a table; `None` if they are on no grid.
 pub(super) fn read(
-    text: &mut Text<'_>,
+    text: &mut TextSource<'_>,
     first: usize,
     head: &[Line<'_>],
     sniffed: &Sniffed,
@@ -212,13 +212,17 @@ impl Points {
     /// The trace requested by `options`: rows run along x.
     pub(super) fn trace(&self, options: &ReadOptions) -> Result<PointTrace, ReadFault> {
         let as_stored = self.runs_along_y(options) != self.along_x;
-        let (x, count) = match as_stored {
-            true => (&self.along, self.lines()),
-            false => (&self.across, self.along.len()),
+        let (x, count) = if as_stored {
+            (&self.along, self.lines())
+        } else {
+            (&self.across, self.along.len())
         };
-        let at = |i: usize, line: usize| match as_stored {
-            true => self.height(i, line),
-            false => self.height(line, i),
+        let at = |i: usize, line: usize| {
+            if as_stored {
+                self.height(i, line)
+            } else {
+                self.height(line, i)
+            }
         };
         let (z, before): (Vec<f64>, usize) = if options.line.is_mean() {
             let there = |i| {
@@ -251,13 +255,17 @@ impl Points {
         y_unit: Option<LengthUnit>,
         z_unit: Option<LengthUnit>,
     ) -> Areal {
-        let (x, y) = match self.along_x {
-            true => (&self.along, &self.across),
-            false => (&self.across, &self.along),
+        let (x, y) = if self.along_x {
+            (&self.along, &self.across)
+        } else {
+            (&self.across, &self.along)
         };
-        let height = |row: usize, column: usize| match self.along_x {
-            true => self.height(column, row),
-            false => self.height(row, column),
+        let height = |row: usize, column: usize| {
+            if self.along_x {
+                self.height(column, row)
+            } else {
+                self.height(row, column)
+            }
         };
         let columns = x.len();
         let values = (0..y.len()).flat_map(|row| (0..columns).map(move |column| (row, column)));
@@ -267,7 +275,7 @@ impl Points {
             let step = (x[x.len() - 1] - x[0]).abs() / (x.len().max(2) - 1) as f64;
             (step > 0.0).then_some(Lengths::Numbers(step, unit))
         };
-        let heights = Lengths::Numbers(Heights::Values { values, columns }, z_unit);
+        let heights = Lengths::Numbers(ArealHeights::Values { values, columns }, z_unit);
         Areal {
             spacings: [step(x, x_unit), step(y, y_unit)],
             ..Areal::from_heights(Format::PointText, heights)

@@ -15,7 +15,7 @@ use super::lengths::Lengths;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
 use super::plain_row::take_numbers;
-use super::text::Text;
+use super::text::TextSource;
 
 const FORMAT: Format = Format::PtbPr;
 const HEADER_LINES: usize = 2;
@@ -26,7 +26,7 @@ pub(super) fn recognised(line: &str) -> bool {
 }
 
 /// Reads a `.pr` profile.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
+pub(super) fn read(text: &mut TextSource<'_>) -> Result<Found, ReadFault> {
     let mut lines = text.lines()?;
     let title = lines.next()?.map_or("", |line| line.text.trim()).to_owned();
     let header = lines.next()?.map_or("", |line| line.text);

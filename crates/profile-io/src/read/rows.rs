@@ -3,13 +3,13 @@
 //! Plain rows are read from the bytes of whole blocks of lines. The first line of a block and other rows are read cell
 //! by cell, with the same results.
 
-use super::dialect::{Cell, Sniffed, is_word};
+use super::dialect::{DialectCell, Sniffed, is_word};
 use super::error::{ReadFault, shortened};
 use super::file_dialect::of_file;
 use super::layout::Dialect;
 use super::plain_row::Plain;
 use super::table::{self, Chosen};
-use super::text::{Line, Text};
+use super::text::{Line, TextSource};
 
 /// Columns of x and height in the units of the file.
 pub(super) struct Rows {
@@ -23,7 +23,7 @@ pub(super) struct Rows {
 
 /// All rows from the line `first`, or the error of the first unreadable cell, explained with the lines `head`.
 pub(super) fn read(
-    text: &mut Text<'_>,
+    text: &mut TextSource<'_>,
     first: usize,
     head: &[Line<'_>],
     sniffed: &Sniffed,
@@ -45,12 +45,13 @@ pub(super) fn read(
             Ok(row) => row,
             Err(fault) => {
                 let (number, text) = (line.number, line.text.to_owned());
-                return Err(of_file(fault, (number, &text), &mut lines, sniffed)?);
+                return Err(of_file(fault, number, &text, &mut lines, sniffed)?);
             }
         };
-        match chosen.x.is_some() && x.is_nan() {
-            true => rows.empty += 1,
-            false => rows.push(x, z),
+        if chosen.x.is_some() && x.is_nan() {
+            rows.empty += 1
+        } else {
+            rows.push(x, z)
         }
         let (mut passed, at_hand) = (0, lines.at_hand());
         let mut rest = at_hand;
@@ -69,7 +70,7 @@ pub(super) fn read(
         if line.number == single {
             let fault = table::unreadable(head, &line, line.text.trim(), sniffed.dialect);
             let text = line.text.to_owned();
-            return Err(of_file(fault, (single, &text), &mut lines, sniffed)?);
+            return Err(of_file(fault, single, &text, &mut lines, sniffed)?);
         }
     }
     Ok(rows)
@@ -111,7 +112,7 @@ impl Words {
 
 /// Line number and text of a row of the table that starts at line `first`, by reading the file again.
 pub(super) fn place(
-    text: &mut Text<'_>,
+    text: &mut TextSource<'_>,
     first: usize,
     row: usize,
 ) -> Result<(usize, String), ReadFault> {
@@ -164,19 +165,20 @@ pub(super) fn row(
     }
     let unreadable = |cell| table::unreadable(head, line, cell, dialect);
     let number = |cell| match dialect.cell(cell) {
-        Cell::Number(value) => Ok(value),
-        Cell::Missing => Ok(f64::NAN),
-        Cell::Other => Err(unreadable(cell)),
+        DialectCell::Number(value) => Ok(value),
+        DialectCell::Missing => Ok(f64::NAN),
+        DialectCell::Other => Err(unreadable(cell)),
     };
     // The cells are read before they are counted, so that a text line is reported by its text.
     let x = match chosen.x {
         Some(_) => Some(number(x_cell)?),
         None => None,
     };
-    let is_word = is_word(z_cell) && dialect.cell(z_cell) == Cell::Other;
-    let z = match is_word && (x.is_some() || words.add(line.number, z_cell)) {
-        true => f64::NAN,
-        false => number(z_cell)?,
+    let is_word = is_word(z_cell) && dialect.cell(z_cell) == DialectCell::Other;
+    let z = if is_word && (x.is_some() || words.add(line.number, z_cell)) {
+        f64::NAN
+    } else {
+        number(z_cell)?
     };
     if count < chosen.count || filled > chosen.count {
         return Err(table::ragged(line, count.max(filled), chosen.count));
@@ -185,6 +187,6 @@ pub(super) fn row(
     if x.is_some_and(f64::is_nan) && !z.is_nan() {
         return Err(unreadable(x_cell));
     }
-    let valid = chosen.valid.is_none() || dialect.cell(valid_cell) != Cell::Number(0.0);
+    let valid = chosen.valid.is_none() || dialect.cell(valid_cell) != DialectCell::Number(0.0);
     Ok((x.unwrap_or(f64::NAN), if valid { z } else { f64::NAN }))
 }

@@ -4,7 +4,7 @@
 //! Zscale metres; `BAD`, or in the proposal BCR the largest number of the type, marks a missing height. Of several rows the
 //! requested one is read.
 
-use super::areal::trace::{Areal, Heights};
+use super::areal::trace::{Areal, ArealHeights};
 use super::damage::{damaged, height, miscounted};
 use super::error::ReadFault;
 use super::file_dialect::BadHeights;
@@ -16,12 +16,12 @@ use super::metadata::{Metadata, number, short};
 use super::options::ReadOptions;
 use super::plain_row::take_numbers;
 use super::sdf_mark;
-use super::text::Text;
+use super::text::TextSource;
 
 const FORMAT: Format = Format::SdfAscii;
 
 #[derive(Default)]
-struct Header {
+struct SdfHeader {
     points: Option<u64>,
     profiles: Option<u64>,
     x_scale: Option<f64>,
@@ -33,7 +33,7 @@ struct Header {
     metadata: Metadata,
 }
 
-impl Header {
+impl SdfHeader {
     fn take(&mut self, line: &str) {
         let Some((key, value)) = line.split_once('=') else {
             self.is_proposal |= line.starts_with("aBCR");
@@ -56,7 +56,7 @@ impl Header {
 }
 
 /// Reads a profile of an SDF text file.
-pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Found, ReadFault> {
+pub(super) fn read(text: &mut TextSource<'_>, options: &ReadOptions) -> Result<Found, ReadFault> {
     let (header, first_line, heights) = matrix(text, Some(options.row))?;
     Ok(Found {
         spacing: header
@@ -69,22 +69,22 @@ pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Found, 
 }
 
 /// Reads all profiles of an SDF text file.
-pub(super) fn surface(text: &mut Text<'_>) -> Result<Areal, ReadFault> {
+pub(super) fn surface(text: &mut TextSource<'_>) -> Result<Areal, ReadFault> {
     let (header, _, values) = matrix(text, None)?;
     let columns = header.points.unwrap_or(0) as usize;
     Ok(Areal {
         spacings: [header.x_scale, header.y_scale].map(|step| step.map(Lengths::Metres)),
         metadata: header.metadata,
-        ..Areal::new(FORMAT, Heights::Values { values, columns })
+        ..Areal::new(FORMAT, ArealHeights::Values { values, columns })
     })
 }
 
 /// Header, first line of the heights, and the heights \[m\] of one profile (counted from 1) or of all profiles.
 fn matrix(
-    text: &mut Text<'_>,
+    text: &mut TextSource<'_>,
     row: Option<Option<usize>>,
-) -> Result<(Header, usize, Vec<f64>), ReadFault> {
-    let mut header = Header::default();
+) -> Result<(SdfHeader, usize, Vec<f64>), ReadFault> {
+    let mut header = SdfHeader::default();
     let mut lines = text.lines()?;
     let mut first_line = 1;
     while let Some(line) = lines.next()? {

@@ -18,13 +18,11 @@ pub(super) fn between(kind: usize, is_proposal: bool) -> [f64; 2] {
     let Some([smallest, largest]) = RANGES.get(kind) else {
         return [f64::NEG_INFINITY, f64::INFINITY];
     };
-    let below = match *smallest < 0.0 {
-        true => *smallest,
-        false => f64::NEG_INFINITY,
+    let below = if *smallest < 0.0 {
+        *smallest
+    } else {
+        f64::NEG_INFINITY
     };
-    let above = match is_proposal {
-        true => *largest,
-        false => f64::INFINITY,
-    };
+    let above = if is_proposal { *largest } else { f64::INFINITY };
     [below, above]
 }

@@ -10,12 +10,12 @@ use super::lengths::Lengths;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
 use super::plain_row::take_numbers;
-use super::text::Text;
+use super::text::TextSource;
 
 const FORMAT: Format = Format::SigmaSurf;
 
 /// Reads a SigmaSurf profile.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
+pub(super) fn read(text: &mut TextSource<'_>) -> Result<Found, ReadFault> {
     let mut metadata = Metadata::default();
     let (mut spacing, mut points, mut first_line) = (None, None, 1);
     let mut heights: Option<Vec<f64>> = None;

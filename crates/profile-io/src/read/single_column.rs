@@ -10,7 +10,7 @@ use super::damage::damaged;
 use super::error::{ReadFault, SpacingHint};
 use super::format::Format;
 use super::options::{FEWEST_POINTS, LengthUnit, ReadOptions};
-use super::text::Text;
+use super::text::TextSource;
 use crate::warning::Warning;
 
 /// Format of a file and the unit that it prescribes for heights.
@@ -35,7 +35,7 @@ impl Special {
 /// Removes the numbers of a header from the begin of `heights`, whose first is at line `first`; an error if there is no
 /// spacing, or if lines above them show that the first number is not a height. NPL text profiles have no lines above.
 pub(super) fn interpret(
-    text: &mut Text<'_>,
+    text: &mut TextSource<'_>,
     first: usize,
     is_headed: bool,
     heights: &mut Vec<f64>,
@@ -46,9 +46,10 @@ pub(super) fn interpret(
     if heights.len() < FEWEST_POINTS {
         return Ok(Special::delimited());
     }
-    let header_number = match first_is_written_unlike_the_rest(text, first)? {
-        true => heights.first().copied().filter(|value| value.is_finite()),
-        false => None,
+    let header_number = if first_is_written_unlike_the_rest(text, first)? {
+        heights.first().copied().filter(|value| value.is_finite())
+    } else {
+        None
     };
     let is_count = |value: f64| value == (heights.len() - 1) as f64;
     let header_number = match header_number {
@@ -115,7 +116,10 @@ fn agrees(value: f64, expected: f64) -> bool {
 
 /// Whether the number of decimals of the first number differs from the next ten thousand numbers, which all have the
 /// same.
-fn first_is_written_unlike_the_rest(text: &mut Text<'_>, first: usize) -> Result<bool, ReadFault> {
+fn first_is_written_unlike_the_rest(
+    text: &mut TextSource<'_>,
+    first: usize,
+) -> Result<bool, ReadFault> {
     const LOOKED_AT: usize = 10_000;
     let (mut header, mut usual) = (None, None);
     let mut lines = text.lines()?;

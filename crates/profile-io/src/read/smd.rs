@@ -21,7 +21,7 @@ use super::lengths::Lengths;
 use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::LengthUnit;
 use super::plain_row::numbers_at_start;
-use super::text::{Head, Text};
+use super::text::{Head, TextSource};
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::Smd;
@@ -33,7 +33,7 @@ const END_OF_RECORD: char = '\u{3}';
 const END_OF_FILE: char = '\u{1a}';
 
 /// An axis line.
-struct AxisRecord {
+struct SmdAxis {
     points: usize,
     unit: LengthUnit,
     factor: f64,
@@ -46,7 +46,7 @@ pub(super) fn recognised(bytes: &[u8]) -> bool {
 }
 
 /// Reads an SMD file.
-pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault> {
+pub(super) fn read(head: &Head, text: &mut TextSource<'_>) -> Result<Found, ReadFault> {
     let marked = head.text.contains(END_OF_RECORD);
     let mut record = 1;
     let (mut x, mut z) = (None, None);
@@ -56,15 +56,16 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
         let sum_before = sum;
-        sum = match line.whole.is_ascii() {
-            true => (line.whole.bytes()).fold(sum, |sum, byte| sum + u32::from(byte)) % MODULUS,
-            false => line.whole.chars().fold(sum, add),
+        sum = if line.whole.is_ascii() {
+            (line.whole.bytes()).fold(sum, |sum, byte| sum + u32::from(byte)) % MODULUS
+        } else {
+            line.whole.chars().fold(sum, add)
         };
         // Nearly all lines of a file contain a single height.
         if record == 3
             && let Some(height) = decimal::whole(line.text.trim_end(), b'.')
             && height.is_finite()
-            && let Some(stated) = z.as_ref().map(|z: &AxisRecord| z.points)
+            && let Some(stated) = z.as_ref().map(|z: &SmdAxis| z.points)
             && heights.len() <= stated
         {
             if heights.is_empty() {
@@ -102,7 +103,7 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
                 if heights.is_empty() {
                     first_line = line.number;
                 }
-                let stated = z.as_ref().map_or(0, |z: &AxisRecord| z.points);
+                let stated = z.as_ref().map_or(0, |z: &SmdAxis| z.points);
                 // The stated number limits the memory.
                 if heights.len() > stated {
                     break;
@@ -137,7 +138,7 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
     })
 }
 
-fn axis(fields: &[&str]) -> Result<AxisRecord, ReadFault> {
+fn axis(fields: &[&str]) -> Result<SmdAxis, ReadFault> {
     let line = || fields.join(" ");
     let broken = || damaged(FORMAT, "an axis line cannot be read", &line());
     let field = |at: usize| fields.get(at).copied().unwrap_or_default();
@@ -147,7 +148,7 @@ fn axis(fields: &[&str]) -> Result<AxisRecord, ReadFault> {
         let what = "the points have individual x, which is not supported";
         return Err(damaged(FORMAT, what, &line()));
     }
-    Ok(AxisRecord {
+    Ok(SmdAxis {
         points: points.ok_or_else(broken)? as usize,
         unit: field(3).parse().map_err(|_| broken())?,
         factor: number(field(4)).ok_or_else(broken)?,

@@ -409,9 +409,10 @@ fn other_unit(rdq: f64, read: LengthUnit) -> Option<Suspicion> {
     use LengthUnit::{Metre, Micrometre, Millimetre, Nanometre};
     let plausible = |likely: &LengthUnit| {
         let factor = likely.metres(1.0) / read.metres(1.0);
-        let is_right_way = match rdq < SMALLEST_RDQ {
-            true => factor > 2.0,
-            false => rdq > LARGEST_RDQ && factor < 0.5,
+        let is_right_way = if rdq < SMALLEST_RDQ {
+            factor > 2.0
+        } else {
+            rdq > LARGEST_RDQ && factor < 0.5
         };
         is_right_way && USUAL_RDQ.contains(&(rdq * factor))
     };

@@ -126,7 +126,7 @@ impl Surface {
         });
         let row = row.map_err(|fault| fault.in_file(&self.name))?;
         let known = self.row(row).unwrap_or_default();
-        let row = grid::bridged((known, self.points_in(options.range)), options);
+        let row = grid::bridged(known, self.points_in(options.range), options);
         let (heights, bridged) = row.map_err(|fault| fault.in_file(&self.name))?;
         let facts = &self.facts;
         let source = match self.format {

@@ -24,7 +24,7 @@ use super::header::FilterState;
 use super::lengths::Lengths;
 use super::metadata::{self, Metadata, PrintedParameter, number, short};
 use super::options::{LengthUnit, ReadOptions};
-use super::text::{Head, Start, Text};
+use super::text::{Head, Start, TextSource};
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::SurfcomText;
@@ -38,7 +38,7 @@ pub(super) fn conditions_beside(path: &Path) -> Option<Vec<u8>> {
 }
 
 /// Whether the first two lines are a length and the number of remaining lines.
-pub(super) fn recognised(head: &Head, text: &mut Text<'_>) -> Result<bool, ReadFault> {
+pub(super) fn recognised(head: &Head, text: &mut TextSource<'_>) -> Result<bool, ReadFault> {
     let mut lines = head.lines().map(|line| line.text.trim());
     let length = lines.next().and_then(number);
     let points = lines.next().and_then(|line| line.parse::<usize>().ok());
@@ -56,7 +56,7 @@ pub(super) fn recognised(head: &Head, text: &mut Text<'_>) -> Result<bool, ReadF
 
 /// Reads a `.tx1` or `.tx2` file with its conditions, if given.
 pub(super) fn read(
-    text: &mut Text<'_>,
+    text: &mut TextSource<'_>,
     conditions: Option<&[u8]>,
     options: &ReadOptions,
 ) -> Result<Found, ReadFault> {
@@ -149,7 +149,7 @@ impl Conditions {
     fn new(file: &str, bytes: &[u8], options: &ReadOptions) -> Result<Self, ReadFault> {
         let mut stream = Cursor::new(bytes);
         let start = Start::read(&mut stream)?;
-        let (_, mut text) = Text::new(file, &mut stream, &start, options.encoding);
+        let (_, mut text) = TextSource::new(file, &mut stream, &start, options.encoding);
         let mut metadata = Metadata {
             instrument: Some("Surfcom".to_owned()),
             ..Metadata::default()

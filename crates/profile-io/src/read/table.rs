@@ -1,6 +1,6 @@
 //! Choice of the columns of a detected table, and errors of cells and rows.
 
-use super::dialect::{Cell, Sniffed, Stated, sniff};
+use super::dialect::{DialectCell, Sniffed, StatedDialect, sniff};
 use super::error::{CellRemedy, ReadFault, shortened};
 use super::header::{self, Label, Role};
 use super::layout::Dialect;
@@ -87,7 +87,7 @@ pub(super) fn choose(
 /// The only other column than `x` whose label states a unit of length.
 fn only_other_length(labels: &[Label], x: usize) -> Option<usize> {
     let is_length =
-        |at: &usize| *at != x && matches!(labels[*at].unit, Some(header::Stated::Length(_)));
+        |at: &usize| *at != x && matches!(labels[*at].unit, Some(header::StatedHeader::Length(_)));
     let mut lengths = (0..labels.len()).filter(is_length);
     lengths.next().filter(|_| lengths.next().is_none())
 }
@@ -128,7 +128,7 @@ pub(super) fn check_line_above(lines: &[Line<'_>], sniffed: &Sniffed) -> Result<
     }
     let damaged = cells
         .iter()
-        .find(|cell| sniffed.dialect.cell(cell) == Cell::Other);
+        .find(|cell| sniffed.dialect.cell(cell) == DialectCell::Other);
     match damaged {
         Some(cell) => Err(unreadable(lines, line, cell, sniffed.dialect)),
         None => Err(ragged(line, filled, sniffed.columns)),
@@ -152,7 +152,7 @@ pub(super) fn unreadable(
     cell: &str,
     used: Dialect,
 ) -> ReadFault {
-    let free = sniff(lines, Stated::default()).map_or(used, |found| found.dialect);
+    let free = sniff(lines, StatedDialect::default()).map_or(used, |found| found.dialect);
     let other = Dialect {
         decimal: match used.decimal {
             DecimalSign::Point => DecimalSign::Comma,
@@ -160,7 +160,7 @@ pub(super) fn unreadable(
         },
         ..used
     };
-    let other_decimal = matches!(other.cell(cell), Cell::Number(_));
+    let other_decimal = matches!(other.cell(cell), DialectCell::Number(_));
     let (dialect, remedy) = match (other_decimal, other.decimal) {
         (true, DecimalSign::Comma) if free.decimal == DecimalSign::Comma => {
             (free, CellRemedy::Decimal(DecimalSign::Comma))

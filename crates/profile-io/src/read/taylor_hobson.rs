@@ -21,7 +21,7 @@ use super::lengths::Lengths;
 use super::metadata::{Metadata, number, short};
 use super::options::LengthUnit;
 use super::plain_row::take_numbers;
-use super::text::Text;
+use super::text::TextSource;
 
 const FORMAT: Format = Format::TaylorHobsonPrf;
 
@@ -65,7 +65,7 @@ impl Header {
 }
 
 /// Reads a text `.prf`.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
+pub(super) fn read(text: &mut TextSource<'_>) -> Result<Found, ReadFault> {
     let (mut record, mut first_line) = (1, 1);
     let mut header = Header::default();
     let mut heights: Vec<f64> = Vec::new();

@@ -76,9 +76,10 @@ pub(super) struct Head {
 impl Head {
     /// The head that is all of `text`.
     pub(super) fn from_text(text: &str) -> Self {
-        let end = match text.contains('\r') && !text.contains('\n') {
-            true => '\r',
-            false => '\n',
+        let end = if text.contains('\r') && !text.contains('\n') {
+            '\r'
+        } else {
+            '\n'
         };
         Self {
             text: without_filling(text).to_owned(),
@@ -94,7 +95,7 @@ impl Head {
 }
 
 /// A text file that is read line by line, as often as needed.
-pub(super) struct Text<'s> {
+pub(super) struct TextSource<'s> {
     pub file: &'s str,
     pub encoding: Encoding,
     stream: &'s mut dyn Stream,
@@ -105,7 +106,7 @@ pub(super) struct Text<'s> {
     malformed: bool,
 }
 
-impl<'s> Text<'s> {
+impl<'s> TextSource<'s> {
     /// The text of a stream with the beginning `start`; a stated encoding overrides the detected one.
     pub(super) fn new(
         file: &'s str,
@@ -146,9 +147,9 @@ impl<'s> Text<'s> {
     }
 
     /// The lines from the start.
-    pub(super) fn lines(&mut self) -> Result<Lines<'_, 's>, ReadFault> {
+    pub(super) fn lines(&mut self) -> Result<TextLines<'_, 's>, ReadFault> {
         self.stream.rewind()?;
-        Ok(Lines {
+        Ok(TextLines {
             decoder: self.encoding.decoder(),
             raw: vec![0; usize::try_from(self.size).map_or(CHUNK, |size| size.min(CHUNK))],
             buffer: String::new(),
@@ -176,8 +177,8 @@ fn decode(decoder: &mut Decoder, bytes: &[u8], text: &mut String, last: bool) ->
 }
 
 /// Iteration over lines, from a buffer with a chunk and the incomplete line before it.
-pub(super) struct Lines<'t, 's> {
-    text: &'t mut Text<'s>,
+pub(super) struct TextLines<'t, 's> {
+    text: &'t mut TextSource<'s>,
     decoder: Decoder,
     raw: Vec<u8>,
     buffer: String,
@@ -192,7 +193,7 @@ pub(super) struct Lines<'t, 's> {
     ended: bool,
 }
 
-impl Lines<'_, '_> {
+impl TextLines<'_, '_> {
     /// The next line, including blank ones; `None` at the end.
     pub(super) fn next(&mut self) -> Result<Option<Line<'_>>, ReadFault> {
         while self.start == self.complete && !self.ended {

@@ -35,9 +35,10 @@ pub(super) fn write(
     if let Places::Even(dx) = places {
         let um = micrometres(dx);
         // A spacing that no number of micrometres gives is written in metres.
-        let _ = match um / MICROMETRES == dx {
-            true => writeln!(text, "# dx = {um} um"),
-            false => writeln!(text, "# dx = {dx:e} m"),
+        let _ = if um / MICROMETRES == dx {
+            writeln!(text, "# dx = {um} um")
+        } else {
+            writeln!(text, "# dx = {dx:e} m")
         };
     }
     let in_um: Option<Vec<f64>> = heights.iter().map(|z| exact_micrometres(*z)).collect();

@@ -189,13 +189,14 @@ pub fn write_surface(
     metadata: &Metadata,
 ) -> Result<Vec<u8>, WriteError> {
     let is_whole = columns > 0 && !z.is_empty() && z.len().is_multiple_of(columns);
-    match is_whole && dx.si() > 0.0 && dy.si() > 0.0 {
-        true => x3p::write(
+    if is_whole && dx.si() > 0.0 && dy.si() > 0.0 {
+        x3p::write(
             Places::Even(dx.si()),
             z,
             Some((z.len() / columns, dy.si())),
             metadata,
-        ),
-        false => Err(WriteError::no_profile()),
+        )
+    } else {
+        Err(WriteError::no_profile())
     }
 }

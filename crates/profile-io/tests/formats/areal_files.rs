@@ -46,9 +46,10 @@ pub fn zlib(bytes: &[u8]) -> Vec<u8> {
 /// Digital Surf: nanometres as whole numbers over 0.5 um and 2 um.
 pub fn sur(kind: i16, compressed: bool) -> Vec<u8> {
     let least = -2000_i32;
-    let mark: &[u8] = match compressed {
-        true => b"DSCOMPRESSED",
-        false => b"DIGITAL SURF",
+    let mark: &[u8] = if compressed {
+        b"DSCOMPRESSED"
+    } else {
+        b"DIGITAL SURF"
     };
     let rows = if kind == 1 { 1 } else { ROWS as i32 };
     let mut header = filled(
@@ -137,9 +138,10 @@ pub fn al3d() -> Vec<u8> {
     bytes.extend(tags.iter().flat_map(|(name, value)| tag(name, value)));
     bytes.resize(500, 0);
     bytes.extend(points(|x, y| {
-        let value = match is_hole(x, y) {
-            true => 3e15_f32,
-            false => nanometres(x, y) as f32 * 1e-9,
+        let value = if is_hole(x, y) {
+            3e15_f32
+        } else {
+            nanometres(x, y) as f32 * 1e-9
         };
         value.to_le_bytes().to_vec()
     }));
@@ -199,9 +201,10 @@ pub fn plu() -> Vec<u8> {
         ],
     );
     bytes.extend(points(|x, y| {
-        let value = match is_hole(x, y) {
-            true => 1_000_001.0,
-            false => nanometres(x, y) as f32 / 1e3,
+        let value = if is_hole(x, y) {
+            1_000_001.0
+        } else {
+            nanometres(x, y) as f32 / 1e3
         };
         value.to_le_bytes().to_vec()
     }));
@@ -219,9 +222,10 @@ pub fn plux() -> Vec<u8> {
          <LAYER_0><FILENAME_Z>LAYER_0.raw</FILENAME_Z></LAYER_0></xml>"
     );
     let heights = points(|x, y| {
-        let value = match is_hole(x, y) {
-            true => f32::NAN,
-            false => nanometres(x, y) as f32 / 1e3,
+        let value = if is_hole(x, y) {
+            f32::NAN
+        } else {
+            nanometres(x, y) as f32 / 1e3
         };
         value.to_le_bytes().to_vec()
     });
@@ -257,9 +261,10 @@ pub fn metropro(sign: i16) -> Vec<u8> {
         ],
     );
     bytes.extend(points(|x, y| {
-        let value = match is_hole(x, y) {
-            true => 2_147_483_640,
-            false => nanometres(x, y),
+        let value = if is_hole(x, y) {
+            2_147_483_640
+        } else {
+            nanometres(x, y)
         };
         value.to_be_bytes().to_vec()
     }));
@@ -282,9 +287,10 @@ pub fn zygo_xyz() -> Vec<u8> {
     ]
     .join("\n");
     let one = |x: usize, y: usize| {
-        let height = match is_hole(x, y) {
-            true => "No Data".to_owned(),
-            false => format!("{:.3}", um(x, y)),
+        let height = if is_hole(x, y) {
+            "No Data".to_owned()
+        } else {
+            format!("{:.3}", um(x, y))
         };
         format!("{} {} {height}\n", x + 12, y + 8).into_bytes()
     };
@@ -312,9 +318,10 @@ pub fn zygo_text() -> Vec<u8> {
     ]
     .join("\n");
     let one = |x: usize, y: usize| {
-        let phase = match is_hole(x, y) {
-            true => 2_147_483_640,
-            false => nanometres(x, y),
+        let phase = if is_hole(x, y) {
+            2_147_483_640
+        } else {
+            nanometres(x, y)
         };
         let end = if x % 10 == 9 { "\n" } else { " " };
         format!("{phase}{end}").into_bytes()
@@ -394,9 +401,10 @@ pub fn opd() -> Vec<u8> {
         heights.extend(size.to_le_bytes());
     }
     for (x, y) in (0..COLUMNS).flat_map(column) {
-        let value = match is_hole(x, y) {
-            true => 1e38_f32,
-            false => nanometres(x, y) as f32 * 2.0,
+        let value = if is_hole(x, y) {
+            1e38_f32
+        } else {
+            nanometres(x, y) as f32 * 2.0
         };
         heights.extend(value.to_le_bytes());
     }
@@ -436,9 +444,10 @@ pub fn sdf_binary(wide: bool) -> Vec<u8> {
     let mut bytes: Vec<u8> = if wide { b"bISO-2.0" } else { b"bISO-1.0" }.to_vec();
     bytes.extend(b"maker\0junk201120261000201120261000");
     for count in [COLUMNS, ROWS] {
-        match wide {
-            true => bytes.extend((count as u32).to_le_bytes()),
-            false => bytes.extend((count as u16).to_le_bytes()),
+        if wide {
+            bytes.extend((count as u32).to_le_bytes())
+        } else {
+            bytes.extend((count as u16).to_le_bytes())
         }
     }
     for scale in [0.5e-6, 2e-6, 1e-9, -1.0] {
@@ -446,9 +455,10 @@ pub fn sdf_binary(wide: bool) -> Vec<u8> {
     }
     bytes.extend([0, 5, 0]);
     bytes.extend(points(|x, y| {
-        let value = match is_hole(x, y) {
-            true => i16::MIN,
-            false => nanometres(x, y) as i16,
+        let value = if is_hole(x, y) {
+            i16::MIN
+        } else {
+            nanometres(x, y) as i16
         };
         value.to_le_bytes().to_vec()
     }));
@@ -503,13 +513,12 @@ pub fn mat(arrays: &[Vec<u8>], compressed: bool) -> Vec<u8> {
         ],
     );
     for array in arrays {
-        match compressed {
-            true => {
-                let packed = zlib(array);
-                bytes.extend([15, packed.len() as u32].map(u32::to_le_bytes).concat());
-                bytes.extend(packed);
-            }
-            false => bytes.extend(array),
+        if compressed {
+            let packed = zlib(array);
+            bytes.extend([15, packed.len() as u32].map(u32::to_le_bytes).concat());
+            bytes.extend(packed);
+        } else {
+            bytes.extend(array)
         }
     }
     bytes
@@ -703,8 +712,9 @@ pub fn all() -> Vec<(&'static str, Vec<u8>)> {
 
 /// Height of a point in micrometres.
 pub fn um(column: usize, row: usize) -> f64 {
-    match is_hole(column, row) {
-        true => f64::NAN,
-        false => f64::from(nanometres(column, row)) / 1e3,
+    if is_hole(column, row) {
+        f64::NAN
+    } else {
+        f64::from(nanometres(column, row)) / 1e3
     }
 }

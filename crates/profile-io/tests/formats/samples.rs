@@ -88,9 +88,10 @@ pub fn smd_with_blanks() -> String {
 }
 
 pub fn pr(german: bool) -> String {
-    let (length, resolution, points) = match german {
-        true => ("X-Ma\u{df} =", "X-Aufl\u{f6}sung", "Punkte/Zeile :"),
-        false => ("X-len =", "X-resolution", "points/scanline:"),
+    let (length, resolution, points) = if german {
+        ("X-Ma\u{df} =", "X-Aufl\u{f6}sung", "Punkte/Zeile :")
+    } else {
+        ("X-len =", "X-resolution", "points/scanline:")
     };
     let rows = rows(|z| format!("{z:.6}\r\n"));
     let text = format!(

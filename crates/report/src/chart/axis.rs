@@ -208,13 +208,16 @@ fn log_ticks(low: f64, high: f64, count: usize) -> Vec<(f64, String)> {
     );
     let stride = ((b - a + 1) as usize).div_ceil(count.max(1)).max(1);
     let is_plain = PLAIN.contains(&a) && PLAIN.contains(&b);
-    let label = |power: i32| match is_plain {
-        true => format!(
-            "{:.*}",
-            power.min(0).unsigned_abs() as usize,
-            10f64.powi(power)
-        ),
-        false => power_of_ten(power),
+    let label = |power: i32| {
+        if is_plain {
+            format!(
+                "{:.*}",
+                power.min(0).unsigned_abs() as usize,
+                10f64.powi(power)
+            )
+        } else {
+            power_of_ten(power)
+        }
     };
     (a..=b)
         .step_by(stride)

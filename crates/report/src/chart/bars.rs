@@ -100,7 +100,7 @@ fn room<'a>(names: impl Iterator<Item = &'a Vec<String>>) -> f64 {
 }
 
 /// Row of a chart: a bar between two values, a whisker, and a text at its right.
-struct Row<'a> {
+struct BarRow<'a> {
     name: &'a str,
     /// Number in its group.
     in_group: usize,
@@ -111,7 +111,7 @@ struct Row<'a> {
     text: &'a str,
 }
 
-impl Row<'_> {
+impl BarRow<'_> {
     /// Largest value of the row.
     fn end(&self) -> Option<f64> {
         let values = self.bar.iter().chain(&self.whisker).flatten();
@@ -123,7 +123,7 @@ impl BarChart {
     /// CSS class of its drawing.
     pub(super) const KIND: &str = "bar-chart";
 
-    fn rows(&self) -> Vec<Row<'_>> {
+    fn rows(&self) -> Vec<BarRow<'_>> {
         let row = |k: usize| {
             let Bar {
                 name,
@@ -133,7 +133,7 @@ impl BarChart {
             } = &self.bars[k];
             let before = self.bars[..k].iter().rev();
             let in_group = before.take_while(|other| other.name == *name).count();
-            Row {
+            BarRow {
                 name: if in_group == 0 { name } else { "" },
                 in_group,
                 bar: value.map(|value| [value.min(0.0), value.max(0.0)]),
@@ -171,7 +171,7 @@ impl Tornado {
                 middle,
                 text,
             }: &Interval = interval;
-            Row {
+            BarRow {
                 name,
                 in_group: 0,
                 bar: Some(*ends),
@@ -180,14 +180,14 @@ impl Tornado {
                 text,
             }
         };
-        let rows: Vec<Row<'_>> = self.intervals.iter().map(row).collect();
+        let rows: Vec<BarRow<'_>> = self.intervals.iter().map(row).collect();
         let kind = [Self::KIND, self.title.as_str()];
         drawn(dress, kind, &self.axis, self.middle, &rows)
     }
 }
 
 /// Range of all values of `rows` and the `middle`.
-fn range(axis: &Axis, middle: Option<f64>, rows: &[Row<'_>]) -> Range {
+fn range(axis: &Axis, middle: Option<f64>, rows: &[BarRow<'_>]) -> Range {
     let values = rows
         .iter()
         .flat_map(|row| row.bar.iter().chain(&row.whisker));
@@ -199,7 +199,7 @@ fn drawn(
     [kind, title]: [&str; 2],
     axis: &Axis,
     middle: Option<f64>,
-    rows: &[Row<'_>],
+    rows: &[BarRow<'_>],
 ) -> String {
     const THICK: f64 = 17.0;
     const APART: f64 = 9.0;
@@ -276,9 +276,9 @@ fn ticks(range: &Range, length: f64) -> Vec<(f64, String)> {
 }
 
 /// Right end of the axis, such that the text of every row and the label of every tick fit.
-fn right_of(rows: &[Row<'_>], left: f64, range: &Range) -> f64 {
+fn right_of(rows: &[BarRow<'_>], left: f64, range: &Range) -> f64 {
     const LEAST: f64 = 60.0;
-    let room = |row: &Row<'_>| {
+    let room = |row: &BarRow<'_>| {
         let free = WIDTH - EDGE - left - GAP - width(row.text, NAME);
         Some(left + free / range.share(row.end()?).max(f64::EPSILON))
     };

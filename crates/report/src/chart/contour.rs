@@ -94,12 +94,13 @@ impl Contour {
             _ => axis.range(values.iter().copied()),
         };
         let lines = usize::from(dress == Dress::Alone);
-        let (x, y) = match self.is_of_cells {
-            true => (
+        let (x, y) = if self.is_of_cells {
+            (
                 of(&self.x, &edges(&self.columns)),
                 of(&self.y, &edges(&self.rows)),
-            ),
-            false => (of(&self.x, &self.columns), of(&self.y, &self.rows)),
+            )
+        } else {
+            (of(&self.x, &self.columns), of(&self.y, &self.rows))
         };
         let beside = self.scale_room(&self.levels());
         Frame::new(self.height, lines, beside, &self.y, [x, y])
@@ -158,9 +159,10 @@ impl Contour {
         for (band, level) in levels.iter().enumerate() {
             // The first band includes all lower values.
             let from = if band == 0 { f64::NEG_INFINITY } else { *level };
-            let outline = match self.is_of_cells {
-                true => self.cells_above(from),
-                false => self.region_above(from, &frame),
+            let outline = if self.is_of_cells {
+                self.cells_above(from)
+            } else {
+                self.region_above(from, &frame)
             };
             canvas.path(&format!("band {}", colour(band, &levels)), &outline);
         }
@@ -397,9 +399,10 @@ fn digits(values: &[f64]) -> Vec<Value> {
         let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
         // A whole number without its ".0".
         value.map_or(Value::Null, |value| {
-            match value.abs() < 1e6 && value.fract() == 0.0 {
-                true => json!(value as i64),
-                false => json!(value),
+            if value.abs() < 1e6 && value.fract() == 0.0 {
+                json!(value as i64)
+            } else {
+                json!(value)
             }
         })
     };

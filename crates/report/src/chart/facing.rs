@@ -78,7 +78,7 @@ const HERTZ: [&str; 3] = [
 ];
 
 /// Ranges of the axes and sides of the panels, common to all frames.
-struct Scales {
+struct FacingScales {
     left: f64,
     right: f64,
     x: Range,
@@ -87,7 +87,7 @@ struct Scales {
     path: Range,
 }
 
-impl Scales {
+impl FacingScales {
     fn px(&self, range: &Range, value: f64) -> f64 {
         self.left + range.share(value) * (self.right - self.left)
     }
@@ -120,7 +120,7 @@ impl Facing {
     /// CSS class of its drawing.
     pub(super) const KIND: &str = "facing-chart";
 
-    fn scales(&self) -> Scales {
+    fn scales(&self) -> FacingScales {
         /// Half-widths within which the vertical range includes all heights.
         const SEEN: f64 = 1.25;
         let frames = || self.frames.iter();
@@ -145,7 +145,7 @@ impl Facing {
             .range(std::iter::empty());
         let ticks = [heights.ticks(TICKS_UP), pressure.ticks(PRESSURE_TICKS)].concat();
         let name = NAMES[0].to_owned();
-        Scales {
+        FacingScales {
             left: left_margin(&[name], ticks.iter().map(|(_, label)| label.as_str())),
             right: WIDTH - RIGHT,
             x,
@@ -155,7 +155,7 @@ impl Facing {
         }
     }
 
-    fn placed(&self, frame: &FacingFrame, scales: &Scales) -> FramePaths {
+    fn placed(&self, frame: &FacingFrame, scales: &FacingScales) -> FramePaths {
         let rows = |panel: [f64; 2], range: &Range, values: &[f64]| -> Vec<i64> {
             let row = |value: &f64| in_tenths(between(panel, range.share(*value)));
             values.iter().map(row).collect()
@@ -274,7 +274,7 @@ impl Facing {
         (0..=ELLIPSE).map(place).collect()
     }
 
-    fn axes(&self, canvas: &mut Canvas, scales: &Scales) {
+    fn axes(&self, canvas: &mut Canvas, scales: &FacingScales) {
         let (left, right) = (scales.left, scales.right);
         for (name, [top, bottom]) in [("flanks", FLANKS), ("pressures", PRESSURES)] {
             canvas.raw(&format!(
@@ -319,7 +319,7 @@ impl Facing {
     }
 
     /// Draws the path of contact with its points above both panels.
-    fn bar(&self, canvas: &mut Canvas, scales: &Scales) {
+    fn bar(&self, canvas: &mut Canvas, scales: &FacingScales) {
         /// Least distance between letters.
         const APART: f64 = 15.0;
         canvas.line("axis", [scales.left, BAR], [scales.right, BAR]);

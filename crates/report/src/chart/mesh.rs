@@ -11,7 +11,7 @@ use super::frame::{WIDTH, document};
 use super::spread::spread;
 
 /// Points in the plane of the drawing, y upwards, the pitch point at the origin \[mm\].
-type Points = Vec<[f64; 2]>;
+type MeshPoints = Vec<[f64; 2]>;
 
 /// Gear of the picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,7 +23,7 @@ pub struct MeshBody {
     /// Radii of tip, pitch and base circle \[mm\].
     pub radii: [f64; 3],
     /// Closed outline of the teeth near the pitch point and the body behind them \[mm\].
-    pub outline: Points,
+    pub outline: MeshPoints,
     /// Angle, positive counterclockwise, by which the gear turns while the contact moves by a millimetre \[rad/mm\].
     pub turn: f64,
 }
@@ -36,7 +36,7 @@ pub struct MeshTrace {
     /// Name in the legend.
     pub name: String,
     /// Line along the flank \[mm\].
-    pub line: Points,
+    pub line: MeshPoints,
 }
 
 /// Named point of the line of action.
@@ -159,9 +159,10 @@ impl MeshPicture {
         for number in CONTACTS {
             let away = self.base_pitch * number;
             let [x, y] = view.at(self.along.map(|part| part * away));
-            let visibility = match (a..=e).contains(&(pitch + away)) {
-                true => "visible",
-                false => "hidden",
+            let visibility = if (a..=e).contains(&(pitch + away)) {
+                "visible"
+            } else {
+                "hidden"
             };
             canvas.raw(&format!(
                 "<circle class=\"touch\" visibility=\"{visibility}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.6\"/>"

@@ -372,13 +372,14 @@ impl Chart {
         for (row, entries) in self.legend_rows().iter().enumerate() {
             let y = 40.0 + 18.0 * row as f64;
             for (x, name, class) in entries {
-                let sample = match class.ends_with("scatter") {
-                    true => format!(
+                let sample = if class.ends_with("scatter") {
+                    format!(
                         "M{:.1} {:.1}a4 4 0 1 0 8 0a4 4 0 1 0 -8 0",
                         x + 8.0,
                         y - 4.0
-                    ),
-                    false => format!("M{x:.1} {:.1}h24", y - 4.0),
+                    )
+                } else {
+                    format!("M{x:.1} {:.1}h24", y - 4.0)
                 };
                 canvas.path(class, &sample);
                 canvas.label("name", [x + 30.0, y], Anchor::Start, name);

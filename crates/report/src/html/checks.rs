@@ -12,7 +12,7 @@ use super::temperatures;
 use crate::{Column, Kind, Table, columns};
 
 /// Name, value, and key in `result.json` of a number; an empty key for a number that is derived from several.
-type Row = (&'static str, String, &'static str);
+type CheckRow = (&'static str, String, &'static str);
 
 pub(super) fn section(result: &RunResult) -> Markup {
     html! {
@@ -25,7 +25,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
     }
 }
 
-fn rows(title: &str, rows: &[Row]) -> Markup {
+fn rows(title: &str, rows: &[CheckRow]) -> Markup {
     html! {
         h3 { (title) }
         div.scroll { table { tbody {
@@ -101,7 +101,7 @@ fn largest(result: &RunResult, of: fn(&PositionRow) -> f64) -> Option<&PositionR
     rows.max_by(|a, b| of(a).total_cmp(&of(b)))
 }
 
-fn contact(result: &RunResult) -> Vec<Row> {
+fn contact(result: &RunResult) -> Vec<CheckRow> {
     let mut rows = Vec::new();
     if let Some(speed) = pitch_line_speed(result) {
         let force = result.summary.power_in_w / speed;
@@ -147,7 +147,7 @@ fn pitch_line_speed(result: &RunResult) -> Option<f64> {
     (speed > 0.0).then_some(speed)
 }
 
-fn mesh(result: &RunResult) -> Vec<Row> {
+fn mesh(result: &RunResult) -> Vec<CheckRow> {
     let s = &result.summary;
     let scope = match s.scope {
         Scope::Mesh => "mesh only",

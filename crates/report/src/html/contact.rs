@@ -241,15 +241,12 @@ fn von_mises(
     let passes = values.iter().any(|stress| *stress > limit_mpa);
     Some(Drawing::Contour(Contour {
         id: "von-mises".to_owned(),
-        title: match passes {
-            true => format!(
-                "Von Mises stress below the surface; line: elastic limit {limit_mpa:.0} MPa"
-            ),
-            false => {
-                format!(
-                    "Von Mises stress below the surface; elastic limit {limit_mpa:.0} MPa not reached"
-                )
-            }
+        title: if passes {
+            format!("Von Mises stress below the surface; line: elastic limit {limit_mpa:.0} MPa")
+        } else {
+            format!(
+                "Von Mises stress below the surface; elastic limit {limit_mpa:.0} MPa not reached"
+            )
         },
         isoline: passes.then_some(limit_mpa),
         source: source.to_owned(),

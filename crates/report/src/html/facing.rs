@@ -113,7 +113,7 @@ fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
     let exaggeration = facing.exaggeration();
     let texts: Vec<String> = pairs
         .iter()
-        .map(|(view, row)| caption(result, (view, row), exaggeration * row.half_width_um))
+        .map(|(view, row)| caption(result, view, row, exaggeration * row.half_width_um))
         .collect();
     for (frame, text) in facing.frames.iter_mut().zip(texts) {
         frame.text = text;
@@ -147,11 +147,7 @@ fn asperity_share(view: &ContactView) -> f64 {
 }
 
 /// Caption of a position: position, contact, and exaggeration of the heights.
-fn caption(
-    result: &RunResult,
-    (view, row): (&ContactView, &PositionRow),
-    exaggeration: f64,
-) -> String {
+fn caption(result: &RunResult, view: &ContactView, row: &PositionRow, exaggeration: f64) -> String {
     let mut parts = vec![
         format!("Position {} of {}", row.position, result.path.len()),
         format!("{:.2} mm from T₁", row.s_mm),

@@ -8,10 +8,10 @@ use crate::columns;
 use crate::printed::{gearbox_with_interval, stated, stated_parts, watts};
 
 /// Name, formatted value and key in `result.json` of a number.
-type Tile = (&'static str, String, &'static str);
+type GearboxTile = (&'static str, String, &'static str);
 
 /// Efficiency and loss of the mesh and the other parts.
-pub(super) fn tiles(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> Vec<Tile> {
+pub(super) fn tiles(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> Vec<GearboxTile> {
     let [loss, efficiency] = match of_mesh {
         None => [
             watts(gearbox.loss_w),

@@ -91,9 +91,12 @@ fn listed(value: &Value) -> String {
             let rounded: Option<f64> = rounded.and_then(|text| text.parse().ok());
             rounded.map_or_else(
                 || number.to_string(),
-                |value| match (1e-4..1e7).contains(&value.abs()) || value == 0.0 {
-                    true => value.to_string(),
-                    false => format!("{value:e}"),
+                |value| {
+                    if (1e-4..1e7).contains(&value.abs()) || value == 0.0 {
+                        value.to_string()
+                    } else {
+                        format!("{value:e}")
+                    }
                 },
             )
         }

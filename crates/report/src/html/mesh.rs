@@ -31,13 +31,13 @@ struct GearInContact {
 }
 
 /// The mesh at the instant of contact at the pitch point.
-struct Mesh<'a> {
+struct MeshTables<'a> {
     gears: &'a GearPair,
     /// Angle of the line of action.
     angle: f64,
 }
 
-impl<'a> Mesh<'a> {
+impl<'a> MeshTables<'a> {
     fn new(gears: &'a GearPair) -> Self {
         Self {
             gears,
@@ -125,7 +125,7 @@ impl GearInContact {
 /// Picture of the pair of `result`; `None` for impossible gears of a damaged file.
 pub(super) fn picture(result: &RunResult) -> Option<MeshPicture> {
     let mut picture = pair_in_mesh(&result.gears, &result.inputs.gears)?;
-    picture.traces = traces(result, &Mesh::new(&result.gears));
+    picture.traces = traces(result, &MeshTables::new(&result.gears));
     Some(picture)
 }
 
@@ -134,7 +134,7 @@ pub fn pair_in_mesh(gears: &GearPair, input: &GearsInput) -> Option<MeshPicture>
     if !can_be_drawn(gears) {
         return None;
     }
-    let mesh = Mesh::new(gears);
+    let mesh = MeshTables::new(gears);
     let path = &gears.path;
     let pitch = std::f64::consts::PI * gears.transverse_module.si();
     let reach = reach(gears, pitch);
@@ -228,7 +228,7 @@ fn root(input: &GearsInput, gear: Gear) -> RootForm {
 }
 
 /// The points A to E on the path, in order.
-fn points(mesh: &Mesh<'_>) -> Vec<MeshPoint> {
+fn points(mesh: &MeshTables<'_>) -> Vec<MeshPoint> {
     let path = &mesh.gears.path;
     // The ends of single contact of helical gears may lie beyond the path.
     let named = path.named_points().into_iter();
@@ -244,7 +244,7 @@ fn points(mesh: &Mesh<'_>) -> Vec<MeshPoint> {
 }
 
 /// Feet of the perpendiculars from both axes.
-fn feet(mesh: &Mesh<'_>) -> Vec<MeshPoint> {
+fn feet(mesh: &MeshTables<'_>) -> Vec<MeshPoint> {
     let named = [("T₁", 0.0), ("T₂", mesh.gears.path.t1t2.si())];
     let foot = |(label, s): (&str, f64)| MeshPoint {
         label: label.to_owned(),
@@ -279,9 +279,10 @@ fn outline(
     let turned = path.length.si() / path.base_pitch.si();
     let visible = corner / angle + turned + SPARE;
     let is_whole = 2.0 * visible + 1.0 >= count || reach >= 0.8 * radius;
-    let (first, last) = match is_whole {
-        true => (0, gears.teeth[body] as i32 - 1),
-        false => (-(visible.ceil() as i32), visible.ceil() as i32),
+    let (first, last) = if is_whole {
+        (0, gears.teeth[body] as i32 - 1)
+    } else {
+        (-(visible.ceil() as i32), visible.ceil() as i32)
     };
     let middle = gear.middle(tooth);
     let at = |radius: f64, direction: f64| {
@@ -322,7 +323,7 @@ fn outline(
 }
 
 /// Positions of the traces, as lines along the flanks in contact at the pitch point.
-fn traces(result: &RunResult, mesh: &Mesh<'_>) -> Vec<MeshTrace> {
+fn traces(result: &RunResult, mesh: &MeshTables<'_>) -> Vec<MeshTrace> {
     /// Number of points of a line.
     const POINTS: usize = 24;
     /// Distance of the line from the flank, in modules.
@@ -405,8 +406,8 @@ mod tests {
         ]
     }
 
-    fn drawn(gears: &GearPair) -> Mesh<'_> {
-        Mesh::new(gears)
+    fn drawn(gears: &GearPair) -> MeshTables<'_> {
+        MeshTables::new(gears)
     }
 
     fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

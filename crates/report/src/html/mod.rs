@@ -34,7 +34,7 @@ pub use lubricated::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
 pub use mesh::pair_in_mesh;
-pub(crate) use page::{Section, page_of, source as source_line};
+pub(crate) use page::{PageSection, page_of, source as source_line};
 pub use page::{figure, page};
 pub use policy::{policy, source};
 
@@ -50,7 +50,7 @@ use crate::scans::SECTION;
 /// When the result lacks a value that the page shows.
 pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, Fault> {
     let last = html! { (inputs::section(result)?) (facing::script()) };
-    let section = |name, body, is_folded| Section {
+    let section = |name, body, is_folded| PageSection {
         name,
         body,
         is_folded,

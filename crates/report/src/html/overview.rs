@@ -168,10 +168,10 @@ pub(crate) fn warnings(warnings: &[Warning]) -> Markup {
 }
 
 /// Name, formatted value and key in `result.json` of a number.
-type Tile = (&'static str, String, &'static str);
+type OverviewTile = (&'static str, String, &'static str);
 
 /// Key numbers: efficiency, loss and regime.
-fn headline(result: &RunResult) -> Vec<Tile> {
+fn headline(result: &RunResult) -> Vec<OverviewTile> {
     let [loss, efficiency] = of_mesh(result);
     let mut tiles = match &result.uncertainty {
         Some(_) => vec![
@@ -200,7 +200,7 @@ fn printed(result: &RunResult) -> PrintedLoss {
 }
 
 /// Parts of the loss with their shares, and the regime.
-fn parts(result: &RunResult) -> Vec<Tile> {
+fn parts(result: &RunResult) -> Vec<OverviewTile> {
     let s = &result.summary;
     let parts = printed(result).parts.into_iter();
     let tile = |part: PrintedPart| {

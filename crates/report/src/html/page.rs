@@ -7,7 +7,7 @@ use crate::chart::{Drawing, Dress};
 use crate::terms;
 
 /// Section of a page.
-pub(crate) struct Section<'a> {
+pub(crate) struct PageSection<'a> {
     /// Heading.
     pub name: &'a str,
     /// Content; an empty section is omitted.
@@ -16,7 +16,7 @@ pub(crate) struct Section<'a> {
     pub is_folded: bool,
 }
 
-impl<'a> Section<'a> {
+impl<'a> PageSection<'a> {
     /// A section without content.
     pub(crate) fn new(name: &'a str, is_folded: bool) -> Self {
         Self {
@@ -29,7 +29,7 @@ impl<'a> Section<'a> {
 
 /// Renders a page of titled sections; empty sections are omitted.
 pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String {
-    let open = sections.iter().map(|(name, body)| Section {
+    let open = sections.iter().map(|(name, body)| PageSection {
         name,
         body: body.clone(),
         is_folded: false,
@@ -45,15 +45,15 @@ pub(crate) fn page_of(
     title: &str,
     subtitle: &str,
     class: Option<&str>,
-    sections: &[Section<'_>],
+    sections: &[PageSection<'_>],
 ) -> String {
     let text: String = sections.iter().map(|of| text_of(&of.body.0)).collect();
     let mut used = terms::used(&(text + subtitle)).peekable();
-    let mut terms = Section::new(TERMS, true);
+    let mut terms = PageSection::new(TERMS, true);
     if used.peek().is_some() {
         terms.body = terms::list(used);
     }
-    let is_filled = |section: &&Section<'_>| !section.body.0.is_empty();
+    let is_filled = |section: &&PageSection<'_>| !section.body.0.is_empty();
     let shown = || {
         let mut filled = sections.iter().filter(is_filled);
         let first = filled.next();
@@ -107,9 +107,9 @@ fn text_of(markup: &str) -> String {
     let mut text = String::new();
     for part in parts_of(markup) {
         match part {
-            Part::Text(part) => text += part,
+            PagePart::Text(part) => text += part,
             // Words of neighbouring elements stay apart.
-            Part::Tag(_) => text.push(' '),
+            PagePart::Tag(_) => text.push(' '),
         }
     }
     text
@@ -120,15 +120,15 @@ fn typeset(page: &str) -> String {
     let mut written = String::with_capacity(page.len());
     for part in parts_of(page) {
         match part {
-            Part::Text(text) => written += &with_units(text),
-            Part::Tag(tag) => written += tag,
+            PagePart::Text(text) => written += &with_units(text),
+            PagePart::Tag(tag) => written += tag,
         }
     }
     written
 }
 
 /// Part of a page.
-enum Part<'a> {
+enum PagePart<'a> {
     /// Text between tags.
     Text(&'a str),
     /// A tag, with its content if that is verbatim.
@@ -136,7 +136,7 @@ enum Part<'a> {
 }
 
 /// The parts of a page in turn.
-fn parts_of(page: &str) -> impl Iterator<Item = Part<'_>> {
+fn parts_of(page: &str) -> impl Iterator<Item = PagePart<'_>> {
     let mut rest = page;
     std::iter::from_fn(move || {
         if rest.is_empty() {
@@ -145,7 +145,7 @@ fn parts_of(page: &str) -> impl Iterator<Item = Part<'_>> {
         if !rest.starts_with('<') {
             let (text, after) = rest.split_at(rest.find('<').unwrap_or(rest.len()));
             rest = after;
-            return Some(Part::Text(text));
+            return Some(PagePart::Text(text));
         }
         let name = rest[1..].split(|letter: char| !letter.is_ascii_alphanumeric());
         let end = match name.into_iter().next() {
@@ -154,7 +154,7 @@ fn parts_of(page: &str) -> impl Iterator<Item = Part<'_>> {
         };
         let (tag, after) = rest.split_at(end.filter(|end| *end > 0).unwrap_or(rest.len()));
         rest = after;
-        Some(Part::Tag(tag))
+        Some(PagePart::Tag(tag))
     })
 }
 

@@ -97,9 +97,10 @@ fn levels(largest: f64) -> Vec<f64> {
             if k.rem_euclid(2) == 0 { 1.0 } else { 3.0 },
             k.div_euclid(2),
         );
-        match power < 0 {
-            true => lead / 10_f64.powi(-power),
-            false => lead * 10_f64.powi(power),
+        if power < 0 {
+            lead / 10_f64.powi(-power)
+        } else {
+            lead * 10_f64.powi(power)
         }
     };
     let mut last = (2.0 * largest.log10()).ceil() as i32;

@@ -78,9 +78,10 @@ pub struct SubsurfaceRow {
 
 /// Six digits: the fields are large and serve for display.
 fn six_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    match value.is_finite() {
-        true => serializer.collect_str(&format_args!("{value:.5e}")),
-        false => serializer.serialize_f64(*value),
+    if value.is_finite() {
+        serializer.collect_str(&format_args!("{value:.5e}"))
+    } else {
+        serializer.serialize_f64(*value)
     }
 }
 
@@ -182,19 +183,22 @@ impl ContactTables {
         }
         let below = place.join("subsurface.csv");
         let steps = folder.join(CONVERGENCE);
-        let mut convergence = match steps.exists() {
-            true => read::<ConvergenceRow>(&steps)?,
-            false => Vec::new(),
+        let mut convergence = if steps.exists() {
+            read::<ConvergenceRow>(&steps)?
+        } else {
+            Vec::new()
         };
         convergence.retain(|row| row.position == position);
         let patch = place.join(PATCH);
-        let patch = match patch.exists() {
-            true => Some(PatchTable::read(&patch)?),
-            false => None,
+        let patch = if patch.exists() {
+            Some(PatchTable::read(&patch)?)
+        } else {
+            None
         };
-        let subsurface = match below.exists() {
-            true => read(&below)?,
-            false => Vec::new(),
+        let subsurface = if below.exists() {
+            read(&below)?
+        } else {
+            Vec::new()
         };
         let tables = Self {
             position,

@@ -77,8 +77,9 @@ pub(crate) fn check_field<R>(rows: &[R], place: impl Fn(&R) -> [f64; 2]) -> Resu
                         .is_some_and(|first| line_of(first) == line_of(row))
             })
     };
-    match across > 0 && rows.chunks(across).all(is_line) {
-        true => Ok(()),
-        false => Err(OwnFault::NotAField),
+    if across > 0 && rows.chunks(across).all(is_line) {
+        Ok(())
+    } else {
+        Err(OwnFault::NotAField)
     }
 }

@@ -80,7 +80,7 @@ impl FlankTables {
         record: &FlankRecord,
         profile: Option<&Profile>,
     ) -> Result<Option<Self>, RoughnessError> {
-        let whole = |of: Evaluated<'_>| {
+        let whole = |of: EvaluatedFlank<'_>| {
             let curve = of.material_ratio()?;
             let ratios = (0..curve.len()).map(|k| ratio_row(&curve, k));
             Ok(Self {
@@ -89,7 +89,7 @@ impl FlankTables {
                 trace: (0..of.points()).map(|i| of.trace_row(i)).collect(),
             })
         };
-        Evaluated::new(record, profile)?.map(whole).transpose()
+        EvaluatedFlank::new(record, profile)?.map(whole).transpose()
     }
 
     /// [`new`](Self::new) thinned for display, with the extremes of every drawn curve, and the spectrum averaged in bands. No whole
@@ -101,7 +101,7 @@ impl FlankTables {
         record: &FlankRecord,
         profile: Option<&Profile>,
     ) -> Result<Option<Self>, RoughnessError> {
-        let thinned = |of: Evaluated<'_>| {
+        let thinned = |of: EvaluatedFlank<'_>| {
             let spectrum = in_bands(&of.spectrum()?);
             let curve = of.material_ratio()?;
             let ratios = thin_rising(
@@ -124,7 +124,9 @@ impl FlankTables {
                 spectrum,
             })
         };
-        Evaluated::new(record, profile)?.map(thinned).transpose()
+        EvaluatedFlank::new(record, profile)?
+            .map(thinned)
+            .transpose()
     }
 
     /// The spectrum as means of the density in bands of a twelfth of a decade, at the geometric mean of their frequencies.
@@ -207,14 +209,14 @@ fn places_in(heights: &[f64], first: usize, range: Range<usize>) -> Vec<usize> {
 }
 
 /// A trace with its form removed and filtered.
-struct Evaluated<'a> {
+struct EvaluatedFlank<'a> {
     measured: &'a Profile,
     is_mirrored: bool,
     form_removed: Profile,
     prepared: Prepared,
 }
 
-impl<'a> Evaluated<'a> {
+impl<'a> EvaluatedFlank<'a> {
     fn new(
         record: &FlankRecord,
         profile: Option<&'a Profile>,
@@ -223,9 +225,10 @@ impl<'a> Evaluated<'a> {
             return Ok(None);
         };
         let recipe = preparation.recipe;
-        let form_removed = match record.mirrored {
-            true => form::remove(&measured.mirrored(), recipe.form)?,
-            false => form::remove(measured, recipe.form)?,
+        let form_removed = if record.mirrored {
+            form::remove(&measured.mirrored(), recipe.form)?
+        } else {
+            form::remove(measured, recipe.form)?
         };
         let rest = Preparation {
             form: Form::None,
@@ -245,17 +248,16 @@ impl<'a> Evaluated<'a> {
 
     /// Points of a range at which one of the three heights is lowest, highest or first undefined.
     fn extreme_points(&self, range: Range<usize>) -> Vec<usize> {
-        let measured = match self.is_mirrored {
-            true => {
-                let (from, to) = (self.points() - range.end, self.points() - range.start);
-                let mirrored = self.measured.heights()[from..to].iter().rev();
-                places_in(
-                    &mirrored.copied().collect::<Vec<_>>(),
-                    range.start,
-                    range.clone(),
-                )
-            }
-            false => places_in(self.measured.heights(), 0, range.clone()),
+        let measured = if self.is_mirrored {
+            let (from, to) = (self.points() - range.end, self.points() - range.start);
+            let mirrored = self.measured.heights()[from..to].iter().rev();
+            places_in(
+                &mirrored.copied().collect::<Vec<_>>(),
+                range.start,
+                range.clone(),
+            )
+        } else {
+            places_in(self.measured.heights(), 0, range.clone())
         };
         let form_removed = places_in(self.form_removed.heights(), 0, range.clone());
         let Prepared {
@@ -273,9 +275,10 @@ impl<'a> Evaluated<'a> {
 
     fn trace_row(&self, i: usize) -> TraceRow {
         let rough = self.prepared.profile.heights();
-        let place = match self.is_mirrored {
-            true => self.points() - 1 - i,
-            false => i,
+        let place = if self.is_mirrored {
+            self.points() - 1 - i
+        } else {
+            i
         };
         TraceRow {
             x_um: self.x_um(i),

@@ -120,9 +120,10 @@ impl PatchTable {
     /// Whether it is a rectangle of cells; in a damaged file it may not be.
     pub(super) fn check(&self) -> Result<(), OwnFault> {
         let cells = self.x_um.len() * self.lead_um.len();
-        match [&self.pressure_mpa, &self.spot_loss_mw].map(Vec::len) == [cells; 2] {
-            true => Ok(()),
-            false => Err(OwnFault::NotAField),
+        if [&self.pressure_mpa, &self.spot_loss_mw].map(Vec::len) == [cells; 2] {
+            Ok(())
+        } else {
+            Err(OwnFault::NotAField)
         }
     }
 

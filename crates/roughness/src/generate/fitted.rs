@@ -227,12 +227,13 @@ pub(super) fn levelled(
     const SAME: f64 = 1e-5;
     let level = |trace: &Profile| {
         let [own, common] = [trace.spacing(), first.spacing()];
-        match (own / common - 1.0).abs() > SAME {
-            true => Err(RoughnessError::SpacingDiffers {
+        if (own / common - 1.0).abs() > SAME {
+            Err(RoughnessError::SpacingDiffers {
                 first: common,
                 second: own,
-            }),
-            false => form::remove(trace, Form::Level),
+            })
+        } else {
+            form::remove(trace, Form::Level)
         }
     };
     std::iter::once(first).chain(others).map(level).collect()

@@ -16,7 +16,7 @@ use realfft::num_complex::Complex;
 
 use super::fitted::{distribution, heights};
 use super::random::Random;
-use crate::areal::{Grid, transform};
+use crate::areal::{HeightGrid, transform};
 use crate::error::RoughnessError;
 use crate::material_ratio::ascending;
 
@@ -75,9 +75,10 @@ impl Area {
             }
             for (cell, amplitude) in cells.iter_mut().zip(amplitudes) {
                 let norm = cell.norm();
-                let phase = match norm > 0.0 {
-                    true => *cell / norm,
-                    false => Complex::new(1.0, 0.0),
+                let phase = if norm > 0.0 {
+                    *cell / norm
+                } else {
+                    Complex::new(1.0, 0.0)
                 };
                 // Conjugate, since the same transform leads back.
                 *cell = (phase * amplitude).conj();
@@ -106,9 +107,10 @@ fn band(lines: f64) -> usize {
 
 /// Frequency of a line of a transform over `n` points, in lines, negative in the upper half.
 fn signed(line: usize, n: usize) -> f64 {
-    match 2 * line > n {
-        true => line as f64 - n as f64,
-        false => line as f64,
+    if 2 * line > n {
+        line as f64 - n as f64
+    } else {
+        line as f64
     }
 }
 
@@ -218,7 +220,7 @@ pub(super) fn levelled(
         let missing = z.iter().filter(|z| !z.is_finite()).count();
         let rule = "must be zero";
         DomainError::require(missing == 0, "missing heights", missing as f64, "-", rule)?;
-        Ok(Grid::level(z, columns, spacings)?.heights().to_vec())
+        Ok(HeightGrid::level(z, columns, spacings)?.heights().to_vec())
     };
     surfaces.iter().map(level).collect()
 }

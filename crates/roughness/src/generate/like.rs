@@ -328,9 +328,10 @@ fn chosen(traces: &[Profile]) -> Result<Method, RoughnessError> {
         };
         is_all &= is_gaussian(&traces.iter().map(of).collect::<Vec<_>>())?;
     }
-    Ok(match is_all {
-        true => Method::Spectrum,
-        false => Method::Pieces,
+    Ok(if is_all {
+        Method::Spectrum
+    } else {
+        Method::Pieces
     })
 }
 

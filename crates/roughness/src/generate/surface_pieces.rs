@@ -123,9 +123,12 @@ impl SurfacePieces {
         }
         let count = |d: usize, length: f64| ((length / spacings[d].si()).round() as usize).max(1);
         let is_divided = |d: usize| size[d] >= 2 * count(d, SHORTEST);
-        let side = [0, 1].map(|d| match is_divided(d) {
-            true => count(d, SIDE).min(size[d]),
-            false => size[d],
+        let side = [0, 1].map(|d| {
+            if is_divided(d) {
+                count(d, SIDE).min(size[d])
+            } else {
+                size[d]
+            }
         });
         let overlap = [0, 1].map(|d| count(d, OVERLAP).min(side[d] / 2));
         Ok(Self {
@@ -155,9 +158,12 @@ impl SurfacePieces {
             z: vec![f64::NAN; columns * rows],
             columns,
         };
-        let steps = [0, 1].map(|d| match self.side[d] < self.size[d] {
-            true => self.side[d] - self.overlap[d],
-            false => self.size[d],
+        let steps = [0, 1].map(|d| {
+            if self.side[d] < self.size[d] {
+                self.side[d] - self.overlap[d]
+            } else {
+                self.size[d]
+            }
         });
         let mut pieces: Vec<SurfacePiece> = Vec::new();
         for y in (0..rows).step_by(steps[1]) {
@@ -287,9 +293,10 @@ impl SurfacePieces {
                 let share = share(0) * share(1);
                 let next = self.height(piece, [x, y]);
                 let z = &mut laid.z[(place[1] + y) * laid.columns + place[0] + x];
-                *z = match share < 1.0 {
-                    true => *z + share * (next - *z),
-                    false => next,
+                *z = if share < 1.0 {
+                    *z + share * (next - *z)
+                } else {
+                    next
                 };
             }
         }

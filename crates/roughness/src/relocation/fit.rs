@@ -43,7 +43,7 @@ const SETTLED: f64 = 0.01;
 
 /// Place of the second trace on the first.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
+pub(super) struct FitPlace {
     /// Position of the middle of the second trace on the first \[m\].
     pub middle: f64,
     /// Stretch times half the length of the second trace \[m\].
@@ -56,7 +56,7 @@ pub(super) struct Place {
     pub bow: f64,
 }
 
-impl Place {
+impl FitPlace {
     /// Height to add to the second trace at a position from −1 to 1 \[m\].
     pub(super) fn added(&self, along: f64) -> f64 {
         self.height + (self.tilt + self.bow * along) * along
@@ -64,9 +64,9 @@ impl Place {
 }
 
 /// Both traces at one place, at the points of the second.
-pub(super) struct Fit {
+pub(super) struct RelocationFit {
     /// The place.
-    pub place: Place,
+    pub place: FitPlace,
     /// Half the length of the second trace \[m\].
     pub half: f64,
     /// Position along the second trace, from −1 to 1.
@@ -93,7 +93,7 @@ pub(super) struct Fit {
     pub uneven: f64,
 }
 
-impl Fit {
+impl RelocationFit {
     /// ```text
     /// min over s, e, h, t, b of Σ_valleys ρ(z_b(s + (1 + e) x) − z_a(x) − h − t x − b x²)           [Relocation-2]
     /// ```
@@ -109,7 +109,7 @@ impl Fit {
     ) -> Result<Self, Fault> {
         cite!("Relocation-2");
         let half = 0.5 * after.length();
-        let mut place = Place {
+        let mut place = FitPlace {
             middle: start.shift + half,
             stretch: start.stretch * half,
             height: 0.0,
@@ -126,23 +126,24 @@ impl Fit {
         }
         let spared = fit.spared();
         fit.uneven = spared.uneven;
-        match spared.is_worn {
-            true => Err(Fault::new(Code::E143, WORN_VALLEYS)),
-            false => Ok(fit),
+        if spared.is_worn {
+            Err(Fault::new(Code::E143, WORN_VALLEYS))
+        } else {
+            Ok(fit)
         }
     }
 
     /// The fit of the first `free` numbers of the place to the valleys of a share of the points.
     fn settled(
         [before, after]: [&Trace; 2],
-        mut place: Place,
+        mut place: FitPlace,
         share: f64,
         free: usize,
     ) -> Result<Self, RoughnessError> {
         let (mut chosen, mut change) = (None, f64::INFINITY);
         for step in 0..MAX_STEPS {
             checkpoint()?;
-            let mut points = Points::at(before, after, place)?;
+            let mut points = MatchPoints::at(before, after, place)?;
             // Valleys and a scale that follow every change of the place would change it in turn.
             if step < FREE_STEPS {
                 let is_valley = points.valleys(share);
@@ -166,7 +167,7 @@ impl Fit {
             points.moved(&mut place, moved);
             change = (moved[0].abs() + moved[1].abs()) / before.dx;
             if step >= FREE_STEPS && change < SETTLED {
-                return points.done(place, (weights, *scale), (share, free), after.dx);
+                return points.done(place, weights, *scale, share, free, after.dx);
             }
         }
         Err(RoughnessError::NotConverged {
@@ -370,9 +371,12 @@ fn normal(
     weights: &[f64],
     free: &Range<usize>,
 ) -> Result<Cholesky, RoughnessError> {
-    let sum = |j: usize, k: usize| match free.contains(&j) && free.contains(&k) {
-        true => (0..weights.len()).map(|i| of(i, j, k)).sum(),
-        false => f64::from(u8::from(j == k)),
+    let sum = |j: usize, k: usize| {
+        if free.contains(&j) && free.contains(&k) {
+            (0..weights.len()).map(|i| of(i, j, k)).sum()
+        } else {
+            f64::from(u8::from(j == k))
+        }
     };
     Cholesky::new(NUMBERS, sum, 0.0).ok_or(RoughnessError::TooFewPoints {
         points: weights.iter().filter(|weight| **weight > 0.0).count(),
@@ -382,7 +386,7 @@ fn normal(
 }
 
 /// Both traces at the points of the second that lie on the first.
-struct Points {
+struct MatchPoints {
     half: f64,
     first: usize,
     along: Vec<f64>,
@@ -393,8 +397,8 @@ struct Points {
     lost: Vec<f64>,
 }
 
-impl Points {
-    fn at(before: &Trace, after: &Trace, place: Place) -> Result<Self, RoughnessError> {
+impl MatchPoints {
+    fn at(before: &Trace, after: &Trace, place: FitPlace) -> Result<Self, RoughnessError> {
         const MIN_POINTS: usize = 200;
         let half = 0.5 * after.length();
         let mut points = Self {
@@ -448,9 +452,12 @@ impl Points {
     }
 
     fn weights(&self, is_valley: &[bool], deviation: f64) -> Vec<f64> {
-        let weight = |(lost, is_valley): (&f64, &bool)| match is_valley {
-            true => biweight(*lost, deviation),
-            false => 0.0,
+        let weight = |(lost, is_valley): (&f64, &bool)| {
+            if *is_valley {
+                biweight(*lost, deviation)
+            } else {
+                0.0
+            }
         };
         self.lost.iter().zip(is_valley).map(weight).collect()
     }
@@ -471,7 +478,7 @@ impl Points {
     }
 
     /// Moves the place; residuals follow height and tilt.
-    fn moved(&mut self, place: &mut Place, change: [f64; NUMBERS]) {
+    fn moved(&mut self, place: &mut FitPlace, change: [f64; NUMBERS]) {
         place.middle += change[0];
         place.stretch += change[1];
         place.height += change[2];
@@ -485,11 +492,13 @@ impl Points {
 
     fn done(
         self,
-        place: Place,
-        (weights, scale): (Vec<f64>, f64),
-        (share, free): (f64, usize),
+        place: FitPlace,
+        weights: Vec<f64>,
+        scale: f64,
+        share: f64,
+        free: usize,
         dx: f64,
-    ) -> Result<Fit, RoughnessError> {
+    ) -> Result<RelocationFit, RoughnessError> {
         let counts = |(lost, weight): (&f64, &f64)| *weight > 0.0 && lost.abs() < NOISE * scale;
         let counts = self.lost.iter().zip(&weights).map(counts);
         let normal = normal(
@@ -508,7 +517,7 @@ impl Points {
             .zip(&self.after_slopes)
             .map(mean)
             .collect();
-        Ok(Fit {
+        Ok(RelocationFit {
             noise: Noise::new(&self.lost, &counts.collect::<Vec<bool>>(), dx),
             place,
             half: self.half,

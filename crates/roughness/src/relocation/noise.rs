@@ -77,9 +77,10 @@ impl Noise {
             // A density below zero is an error of the estimate.
             let amplitude = (line.re.max(0.0) / length as f64).sqrt();
             let phase = TAU * random.uniform();
-            *line = match k == 0 || k == last {
-                true => Complex::new(amplitude * (2.0_f64).sqrt() * phase.cos(), 0.0),
-                false => Complex::from_polar(amplitude, phase),
+            *line = if k == 0 || k == last {
+                Complex::new(amplitude * (2.0_f64).sqrt() * phase.cos(), 0.0)
+            } else {
+                Complex::from_polar(amplitude, phase)
             };
         }
         let mut noise = inverse.make_output_vec();

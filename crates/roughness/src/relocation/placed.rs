@@ -5,7 +5,7 @@ use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{Code, Fault, decimals};
 
-use super::fit::Fit;
+use super::fit::RelocationFit;
 use super::search::{Match, Matches};
 use super::traces::Trace;
 use crate::error::RoughnessError;
@@ -29,9 +29,10 @@ const WIDER: f64 = 1.2;
 pub(super) fn placed(
     traces: [&Trace; 2],
     found: &Matches,
-    (most_shift, form): (f64, Form),
-) -> Result<(Fit, f64), Fault> {
-    let fit = |place: &Match| Fit::new(traces, *place, form == Form::Poly2);
+    most_shift: f64,
+    form: Form,
+) -> Result<(RelocationFit, f64), Fault> {
+    let fit = |place: &Match| RelocationFit::new(traces, *place, form == Form::Poly2);
     let best = found.alike.first();
     let Some(best) = best.filter(|best| best.correlation >= LEAST_CORRELATION) else {
         let message = format!(
@@ -56,10 +57,14 @@ pub(super) fn placed(
 }
 
 /// The place whose noise is clearly below the noise at all others. A place without a fit leaves none certain.
-fn clearest(places: &[Match], fits: Vec<Result<Fit, Fault>>) -> Option<(Fit, Match)> {
-    let fits: Vec<Fit> = fits.into_iter().collect::<Result<_, _>>().ok()?;
-    let mut fits: Vec<(Fit, Match)> = fits.into_iter().zip(places.iter().copied()).collect();
-    let noise = |(fit, _): &(Fit, Match)| fit.noise.deviation();
+fn clearest(
+    places: &[Match],
+    fits: Vec<Result<RelocationFit, Fault>>,
+) -> Option<(RelocationFit, Match)> {
+    let fits: Vec<RelocationFit> = fits.into_iter().collect::<Result<_, _>>().ok()?;
+    let mut fits: Vec<(RelocationFit, Match)> =
+        fits.into_iter().zip(places.iter().copied()).collect();
+    let noise = |(fit, _): &(RelocationFit, Match)| fit.noise.deviation();
     fits.sort_by(|a, b| noise(a).total_cmp(&noise(b)));
     let is_clear = noise(fits.first()?) + ROUNDING < CLEARLY * noise(fits.get(1)?);
     is_clear.then(|| fits.swap_remove(0))

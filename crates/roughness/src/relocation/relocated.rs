@@ -10,7 +10,7 @@ use crate::form::Form;
 use crate::gaussian_filter::{Ends, mean_line};
 use crate::generate::Random;
 
-use super::fit::{BOW, Fit, HEIGHT, MIDDLE, STRETCH, TILT};
+use super::fit::{BOW, HEIGHT, MIDDLE, RelocationFit, STRETCH, TILT};
 use super::noise::Noise;
 use super::placed::placed;
 use super::rise::{self, MOVED};
@@ -132,9 +132,10 @@ impl Relocation {
         let after: Vec<f64> = points.clone().map(on_first).collect();
         let before = before.heights().get(points).unwrap_or_default().to_vec();
         let mut pairs = before.iter().zip(&after);
-        let after = match pairs.all(|(a, b)| (a - b).abs() < LEAST_CHANGE) {
-            true => before.clone(),
-            false => after,
+        let after = if pairs.all(|(a, b)| (a - b).abs() < LEAST_CHANGE) {
+            before.clone()
+        } else {
+            after
         };
         let both = [before, after].map(|heights| Profile::new(Length::from_si(dx), heights));
         let [before, after] = both;
@@ -171,19 +172,16 @@ pub fn relocate(before: &Profile, after: &Profile, bounds: Bounds) -> Result<Rel
     let cutoff = noise_cutoff(before, after);
     let [first, second] = [Trace::new(before, cutoff)?, Trace::new(after, cutoff)?];
     let found = search(&first, &second, bounds.stretch).map_err(RoughnessError::from)?;
-    let (fit, correlation) = placed([&first, &second], &found, (shift, bounds.form))?;
-    relocation(
-        &fit,
-        (&first, &second),
-        (correlation, found.elsewhere),
-        cutoff,
-    )
+    let (fit, correlation) = placed([&first, &second], &found, shift, bounds.form)?;
+    relocation(&fit, &first, &second, correlation, found.elsewhere, cutoff)
 }
 
 fn relocation(
-    fit: &Fit,
-    (first, second): (&Trace, &Trace),
-    (correlation, elsewhere): (f64, f64),
+    fit: &RelocationFit,
+    first: &Trace,
+    second: &Trace,
+    correlation: f64,
+    elsewhere: f64,
     noise_cutoff: Length,
 ) -> Result<Relocation, Fault> {
     let place = fit.place;

@@ -3,7 +3,7 @@
 use asperity_core::quantity::Length;
 use asperity_core::{Profile, cite};
 
-use super::fit::Fit;
+use super::fit::RelocationFit;
 use crate::error::RoughnessError;
 use crate::gaussian_filter::{Ends, mean_line};
 
@@ -18,7 +18,7 @@ pub(super) const MOVED: f64 = 20e-6;
 ///
 /// m is the height lost above the valleys, as a Gaussian mean that reaches as far as material moves. Where valleys near a loss are
 /// higher than valleys far from it, material moved, and the mean valley rose.
-pub(super) fn square(fit: &Fit, spacing: Length) -> Result<f64, RoughnessError> {
+pub(super) fn square(fit: &RelocationFit, spacing: Length) -> Result<f64, RoughnessError> {
     cite!("Relocation-7");
     let level = fit.highest_valley();
     let above = fit.lost.iter().zip(&fit.level);

@@ -164,9 +164,10 @@ impl Process {
         };
         let ratio = rq(0)? / rq(1)?;
         let all: Vec<Profile> = traces.concat();
-        let of_recipes: Vec<&[Profile]> = match (1.0 / ALIKE..=ALIKE).contains(&ratio) {
-            true => vec![&all],
-            false => traces.iter().map(Vec::as_slice).collect(),
+        let of_recipes: Vec<&[Profile]> = if (1.0 / ALIKE..=ALIKE).contains(&ratio) {
+            vec![&all]
+        } else {
+            traces.iter().map(Vec::as_slice).collect()
         };
         let mut recipes = Vec::new();
         let mut ra = 0.0;

@@ -136,9 +136,10 @@ fn symbol(study: &CallOut, row: &LimitRow) -> Drawing {
 /// A number without zeros at its end.
 fn number(value: f64) -> String {
     let text = rounded(value, 0.05 * value);
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
     }
 }
 

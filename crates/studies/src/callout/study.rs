@@ -91,9 +91,12 @@ impl CallOutSettings {
     fn check(&self) -> Result<(), Fault> {
         let [confidence, scatter] = [self.confidence, self.scatter].map(Ratio::value);
         let checked = self.checked(confidence, scatter).map_err(Fault::from);
-        checked.map_err(|fault| match confidence.max(scatter) > 1.0 {
-            true => fault.helping("A share without % is a fraction: write 0.9 or \"90 %\"."),
-            false => fault,
+        checked.map_err(|fault| {
+            if confidence.max(scatter) > 1.0 {
+                fault.helping("A share without % is a fraction: write 0.9 or \"90 %\".")
+            } else {
+                fault
+            }
         })
     }
 
@@ -646,9 +649,10 @@ fn traces_needed(most: &Quantile, of_traces: f64) -> usize {
     let allowed = rest + (1.0 + FURTHER).ln() / quantile;
     let needed = of_one / (allowed * allowed - rest * rest);
     // Without any confidence beyond one half a trace suffices.
-    match needed.is_finite() {
-        true => (needed.ceil() as usize).clamp(1, MOST_TRACES),
-        false => 1,
+    if needed.is_finite() {
+        (needed.ceil() as usize).clamp(1, MOST_TRACES)
+    } else {
+        1
     }
 }
 

@@ -86,9 +86,10 @@ impl FromStr for LossTarget {
         let size = size.replace('−', "-");
         if size.ends_with('%') {
             let share: Ratio = size.parse().map_err(|error| refused(format!("{error}")))?;
-            return match is_signed || worded.is_some() {
-                true => Ok(Self::Share(sign * share.value())),
-                false => Err(refused(format!("\"{text}\" is neither less nor more"))),
+            return if is_signed || worded.is_some() {
+                Ok(Self::Share(sign * share.value()))
+            } else {
+                Err(refused(format!("\"{text}\" is neither less nor more")))
             };
         }
         let power: Power = size.parse().map_err(|error| refused(format!("{error}")))?;

@@ -24,7 +24,7 @@ use serde::de::IntoDeserializer;
 use serde::{Deserialize, Serialize};
 
 use super::pairs::TracePair;
-use super::wear::{AtPlace, Coefficient, Severity, coefficient};
+use super::wear::{AtPlace, Severity, WearCoefficient, coefficient};
 
 /// Cubic millimetres per newton metre in 1/Pa.
 const MM3_PER_N_M: f64 = 1e9;
@@ -187,13 +187,14 @@ struct OnFlank<'a> {
 /// of a tooth of the pinion.
 pub(super) fn in_case(
     case: &LoadedCase,
-    (stated, engagements): (Option<WornFlank>, Option<f64>),
+    stated: Option<WornFlank>,
+    engagements: Option<f64>,
     matched: &[Matched],
     step: &dyn Fn(usize),
 ) -> Result<ChangeInCase, Fault> {
     let placed = matched
         .iter()
-        .map(|(pair, found)| on_flank(case, (pair, found), stated));
+        .map(|(pair, found)| on_flank(case, pair, found, stated));
     let mut pairs = placed.collect::<Result<Vec<_>, Fault>>()?;
     for flank in WornFlank::BOTH {
         let of_flank = |pair: &&mut OnFlank<'_>| pair.flank == flank;
@@ -237,8 +238,8 @@ pub(super) fn in_case(
     };
     let mesh = Mesh::new(&before.case)?;
     let flanks = WornFlank::BOTH.into_iter().map(|flank| {
-        let states = ([&before, &after], run_in.as_ref());
-        flank_change(&mesh, (flank, engagements), &pairs, states)
+        let states = [&before, &after];
+        flank_change(&mesh, flank, engagements, &pairs, states, run_in.as_ref())
     });
     let flanks = flanks
         .filter_map(Result::transpose)
@@ -342,7 +343,8 @@ fn is_trace_of(report: &FlankReport, trace: &Profile) -> bool {
 /// The flank that has the trace before the test, with its place there.
 fn on_flank<'a>(
     case: &LoadedCase,
-    (pair, found): (&'a TracePair, &'a Relocation),
+    pair: &'a TracePair,
+    found: &'a Relocation,
     stated: Option<WornFlank>,
 ) -> Result<OnFlank<'a>, Fault> {
     let [name, after] = &pair.names;
@@ -403,9 +405,10 @@ fn place_of(case: &LoadedCase, flank: WornFlank, report: &FlankReport) -> Option
         direction
     };
     let dropped = report.preparation.as_ref()?.dropped_each_end;
-    let index = match report.mirrored {
-        true => trace.len() - 1 - dropped,
-        false => dropped,
+    let index = if report.mirrored {
+        trace.len() - 1 - dropped
+    } else {
+        dropped
     };
     let arc = first.si() * first.si() / (2.0 * base);
     Some([arc - growth * trace.spacing().si() * index as f64, growth])
@@ -432,9 +435,10 @@ impl OnFlank<'_> {
             ..FlankPlaceInput::default()
         });
         let from = self.place.map(|[_, growth]| {
-            match growth == gears.arc_towards_tip(self.flank.gear()) {
-                true => TraceStart::Root,
-                false => TraceStart::Tip,
+            if growth == gears.arc_towards_tip(self.flank.gear()) {
+                TraceStart::Root
+            } else {
+                TraceStart::Tip
             }
         });
         let (tooth, y) = self.site;
@@ -537,9 +541,11 @@ fn heights_of(case: &LoadedCase, flank: WornFlank) -> Result<[f64; 2], Fault> {
 /// Change of a flank by the test; `None` without pairs on it.
 fn flank_change(
     mesh: &Mesh,
-    (flank, engagements): (WornFlank, Option<f64>),
+    flank: WornFlank,
+    engagements: Option<f64>,
     pairs: &[OnFlank<'_>],
-    (states, run_in): ([&LoadedCase; 2], Option<&MeshOutcome>),
+    states: [&LoadedCase; 2],
+    run_in: Option<&MeshOutcome>,
 ) -> Result<Option<FlankChange>, Fault> {
     let own: Vec<&OnFlank<'_>> = pairs.iter().filter(|on| on.flank == flank).collect();
     if own.is_empty() {
@@ -566,9 +572,9 @@ fn flank_change(
     let wear = of_gear.map(|count| coefficient(&removed, &places, count));
     let wear = wear.transpose()?;
     let (found, most) = match wear {
-        Some(Coefficient::Found(k)) => (Some(k.map(|k| MM3_PER_N_M * k)), None),
-        Some(Coefficient::AtMost(k)) => (None, Some(MM3_PER_N_M * k)),
-        Some(Coefficient::Gained) | None => (None, None),
+        Some(WearCoefficient::Found(k)) => (Some(k.map(|k| MM3_PER_N_M * k)), None),
+        Some(WearCoefficient::AtMost(k)) => (None, Some(MM3_PER_N_M * k)),
+        Some(WearCoefficient::Gained) | None => (None, None),
     };
     let hardness = case.flow_pressure[flank as usize].si();
     let times_hardness = |k: f64| k / MM3_PER_N_M * hardness;

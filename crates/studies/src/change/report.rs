@@ -7,7 +7,8 @@ use asperity_report::{Cell, Report, StudyResult, StudySettings as _, Table, colu
 
 use super::digits::{LEAST_NM, digits, height, shown};
 use super::study::{
-    ChangeSettings, CurveRow, Heights, PairRow, ParameterRow, PointRow, TraceChange, is_undecided,
+    ChangeSettings, ChangedPointRow, CurveRow, Heights, PairRow, ParameterRow, TraceChange,
+    is_undecided,
 };
 use super::worth;
 
@@ -201,9 +202,10 @@ fn parameters_line(study: &TraceChange) -> String {
             format!("{} {} µm ({percent:+.0} %)", row.parameter, change_of(row))
         })
         .collect();
-    match clear.is_empty() {
-        true => "No roughness parameter changed by more than its noise floor.".to_owned(),
-        false => format!("Changed by more than noise: {}.", clear.join(", ")),
+    if clear.is_empty() {
+        "No roughness parameter changed by more than its noise floor.".to_owned()
+    } else {
+        format!("Changed by more than noise: {}.", clear.join(", "))
     }
 }
 
@@ -296,8 +298,8 @@ fn charts(study: &TraceChange) -> Vec<Drawing> {
 }
 
 /// The points about the place of the largest loss.
-fn close_up(points: &[PointRow]) -> &[PointRow] {
-    let most = |point: &&PointRow| point.lost_nm;
+fn close_up(points: &[ChangedPointRow]) -> &[ChangedPointRow] {
+    let most = |point: &&ChangedPointRow| point.lost_nm;
     let most = points.iter().max_by(|a, b| most(a).total_cmp(&most(b)));
     let middle = most.map_or(0.0, |point| point.x_mm);
     let begin = points.partition_point(|point| point.x_mm < middle - 0.5 * CLOSE);
@@ -306,14 +308,14 @@ fn close_up(points: &[PointRow]) -> &[PointRow] {
 }
 
 /// Both traces over each other; the lost part is an area.
-fn traces(id: &str, title: &str, pair: usize, points: &[PointRow]) -> Drawing {
+fn traces(id: &str, title: &str, pair: usize, points: &[ChangedPointRow]) -> Drawing {
     let drawn = thin(
         points,
         BINS,
         |point| point.x_mm,
         |point| [point.before_um, point.after_um, point.lost_nm],
     );
-    let of = |value: fn(&PointRow) -> f64| drawn.iter().map(value).collect::<Vec<f64>>();
+    let of = |value: fn(&ChangedPointRow) -> f64| drawn.iter().map(value).collect::<Vec<f64>>();
     let x = of(|point| point.x_mm);
     let [before, after] = [of(|point| point.before_um), of(|point| point.after_um)];
     let lower = of(|point| point.before_um.min(point.after_um));

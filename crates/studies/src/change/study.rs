@@ -140,7 +140,7 @@ pub struct CurveRow {
 
 /// A point of both traces, with heights above the mean line of the first.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub(super) struct PointRow {
+pub(super) struct ChangedPointRow {
     pub x_mm: f64,
     pub before_um: f64,
     pub after_um: f64,
@@ -173,7 +173,7 @@ pub struct TraceChange {
     pub warnings: Vec<Warning>,
     /// Points of each pair.
     #[serde(skip)]
-    pub(super) points: Vec<Vec<PointRow>>,
+    pub(super) points: Vec<Vec<ChangedPointRow>>,
 }
 
 impl StudySettings for ChangeSettings {
@@ -249,7 +249,7 @@ impl StudySettings for ChangeSettings {
         }
         let in_case = given.case.map(|case| {
             let step = |k: usize| (watch.progress)(count + k, count + runs);
-            in_case(&case, (self.flank, self.engagements), &matched, &step)
+            in_case(&case, self.flank, self.engagements, &matched, &step)
         });
         let in_case = in_case.transpose()?;
         let removed = pairs.iter().map(|pair| pair.heights.removed_nm.value);
@@ -364,11 +364,11 @@ fn row(names: &[String; 2], found: &Relocation) -> PairRow {
 }
 
 /// Both traces over the mean line of the first.
-fn along(found: &Relocation) -> Result<Vec<PointRow>, asperity_roughness::RoughnessError> {
+fn along(found: &Relocation) -> Result<Vec<ChangedPointRow>, asperity_roughness::RoughnessError> {
     let line = mean_line(&found.before, LAMBDA_C, Ends::Reg1)?;
     let [start, dx] = [found.start, found.before.spacing()].map(Length::si);
     let heights = found.before.heights().iter().zip(found.after.heights());
-    let point = |(i, ((before, after), line)): (usize, ((&f64, &f64), f64))| PointRow {
+    let point = |(i, ((before, after), line)): (usize, ((&f64, &f64), f64))| ChangedPointRow {
         x_mm: 1e3 * (start + dx * i as f64),
         before_um: MICRO * (before - line),
         after_um: MICRO * (after - line),

@@ -97,9 +97,12 @@ impl Severity {
         let arcs = || (0..STEPS).map(|k| low + (k as f64 + 0.5) * step);
         let is_active = |arc: &f64| (self.active[0]..=self.active[1]).contains(arc);
         let of = |line: &[(f64, f64)]| {
-            let values = arcs().map(|arc| match is_active(&arc) {
-                true => interpolate(line, arc),
-                false => 0.0,
+            let values = arcs().map(|arc| {
+                if is_active(&arc) {
+                    interpolate(line, arc)
+                } else {
+                    0.0
+                }
             });
             mean(values)
         };
@@ -133,7 +136,7 @@ impl Severity {
 
 /// Wear coefficient of a flank.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Coefficient {
+pub(super) enum WearCoefficient {
     /// With its interval from 5 to 95 % \[1/Pa\].
     Found(Estimate),
     /// Noise explains the removal: at most this one \[1/Pa\].
@@ -157,7 +160,7 @@ pub(super) fn coefficient(
     removed: &[Estimate],
     places: &[Vec<AtPlace>],
     engagements: f64,
-) -> Result<Coefficient, Fault> {
+) -> Result<WearCoefficient, Fault> {
     cite!("Archard-1");
     let loads: Vec<f64> = (0..places[0].len())
         .map(|k| mean(places.iter().map(|of_pair| of_pair[k].load_times_slip)))
@@ -172,11 +175,11 @@ pub(super) fn coefficient(
     let removed = with_scatter(removed);
     let per_metre = |height: f64, load: &f64| height / (engagements * load);
     if removed.high <= 0.0 {
-        return Ok(Coefficient::Gained);
+        return Ok(WearCoefficient::Gained);
     }
     if removed.low <= 0.0 {
         let of_end = loads.iter().map(|load| per_metre(removed.high, load));
-        return Ok(Coefficient::AtMost(
+        return Ok(WearCoefficient::AtMost(
             median_with_ends(&of_end.collect::<Vec<_>>()).high,
         ));
     }
@@ -189,7 +192,7 @@ pub(super) fn coefficient(
     let all = loads
         .iter()
         .flat_map(|load| heights.iter().map(move |height| per_metre(*height, load)));
-    Ok(Coefficient::Found(median_with_ends(
+    Ok(WearCoefficient::Found(median_with_ends(
         &all.collect::<Vec<_>>(),
     )))
 }
@@ -261,28 +264,28 @@ mod tests {
             coefficient(removed, &places, 1e6).unwrap()
         };
         // 0.1 µm after a million engagements of 100 N/mm that slip by a tenth.
-        let Coefficient::Found(k) = of(&removed, &[1e4]) else {
+        let WearCoefficient::Found(k) = of(&removed, &[1e4]) else {
             panic!("it was found");
         };
         assert!((k.value / 1e-17 - 1.0).abs() < 1e-12, "{k:?}");
         assert!((k.low / 0.8e-17 - 1.0).abs() < 0.02 && (k.high / 1.2e-17 - 1.0).abs() < 0.02);
         // An unknown place, or another loss of a second pair, widens it.
-        let Coefficient::Found(wider) = of(&removed, &[0.5e4, 1e4, 2e4]) else {
+        let WearCoefficient::Found(wider) = of(&removed, &[0.5e4, 1e4, 2e4]) else {
             panic!("it was found");
         };
         assert!(wider.low < 0.6e-17 && wider.high > 1.7e-17, "{wider:?}");
         let two = [removed[0], Estimate::new(1.5e-7, [1.3e-7, 1.7e-7])];
-        let Coefficient::AtMost(most) = of(&two, &[1e4]) else {
+        let WearCoefficient::AtMost(most) = of(&two, &[1e4]) else {
             panic!("two pairs that differ leave it open");
         };
         assert!(most > 1.2e-17, "{most}");
         let none = [Estimate::new(1e-9, [-2e-9, 4e-9])];
-        let Coefficient::AtMost(most) = of(&none, &[1e4]) else {
+        let WearCoefficient::AtMost(most) = of(&none, &[1e4]) else {
             panic!("noise explains it");
         };
         assert!((most / 4e-19 - 1.0).abs() < 1e-12);
         let gained = [Estimate::new(-2e-9, [-3e-9, -1e-9])];
-        assert!(matches!(of(&gained, &[1e4]), Coefficient::Gained));
+        assert!(matches!(of(&gained, &[1e4]), WearCoefficient::Gained));
         assert!(coefficient(&removed, &[places(&[0.0])], 1e6).is_err());
     }
 }

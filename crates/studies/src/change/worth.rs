@@ -45,19 +45,24 @@ fn loss(of: &ChangeInCase, name: &str) -> Option<String> {
 /// Sliding distance and wear coefficient of a flank.
 fn wear(of: &FlankChange) -> String {
     let flank = of.flank.name();
-    let place = match of.is_placed {
-        true => " at this place,",
-        false => ", wherever it lies,",
+    let place = if of.is_placed {
+        " at this place,"
+    } else {
+        ", wherever it lies,"
     };
     let is_range = of.sliding_um.half_width() > 5e-7 * of.sliding_um.high;
-    let digits_of = |sliding: Estimate| match is_range {
-        true => Digits::of_interval(sliding.ends()),
-        false => Digits::of_power(sliding.high),
+    let digits_of = |sliding: Estimate| {
+        if is_range {
+            Digits::of_interval(sliding.ends())
+        } else {
+            Digits::of_power(sliding.high)
+        }
     };
     let digits = digits_of(of.sliding_um);
-    let sliding = match is_range {
-        true => digits.interval_with(" µm", of.sliding_um),
-        false => format!("{} µm", digits.rounded(of.sliding_um.high)),
+    let sliding = if is_range {
+        digits.interval_with(" µm", of.sliding_um)
+    } else {
+        format!("{} µm", digits.rounded(of.sliding_um.high))
     };
     let slid = format!(
         "The {flank} changed: in the mean over the trace{place} a point slides {sliding} per engagement"
@@ -182,13 +187,14 @@ fn flanks(of: &ChangeInCase) -> Table {
         file after_rpk_um = flank.after_rpk_um;
         file run_in_rpk_um = Cell::optional(flank.run_in_rpk_um);
     };
-    let one_of_k = match of
+    let one_of_k = if of
         .flanks
         .iter()
         .any(|flank| flank.k_at_most_mm3_per_n_m.is_some())
     {
-        true => "k",
-        false => "k at most",
+        "k"
+    } else {
+        "k at most"
     };
     // The sentences state the height removed and the engagements.
     let table = table.unshown_of(&["removed", "engagements", one_of_k]);

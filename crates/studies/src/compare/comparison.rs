@@ -21,7 +21,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::statistics::rank_correlation;
-use super::windows::{self, WindowRoughness};
+use super::windows::{self, ComparedRoughness};
 use crate::diff::{Change, changed_keys};
 
 /// Finish to compare: name, and case with its traces, a pair of gears or a gear train.
@@ -165,7 +165,7 @@ pub(crate) struct PairOfFinish {
     /// Traces and spectra of pinion and wheel; `None` for a flank without a trace.
     pub tables: [Option<FlankTables>; 2],
     /// Roughness under the contact by offset.
-    pub roughness: Vec<WindowRoughness>,
+    pub roughness: Vec<ComparedRoughness>,
 }
 
 impl Comparison {
@@ -192,7 +192,7 @@ impl FinishResult {
     }
 
     /// Roughness under the contact of a pair of gears by offset.
-    pub(crate) fn roughness(&self) -> &[WindowRoughness] {
+    pub(crate) fn roughness(&self) -> &[ComparedRoughness] {
         self.pair.as_ref().map_or(&[], |pair| &pair.roughness)
     }
 }
@@ -239,12 +239,11 @@ impl Finishes {
     /// # Errors
     /// When `count` is below two.
     pub fn check_count(count: usize) -> Result<(), Fault> {
-        match count < 2 {
-            true => {
-                let message = "a single finish or variant cannot be compared; give at least two";
-                Err(Fault::new(Code::E205, message))
-            }
-            false => Ok(()),
+        if count < 2 {
+            let message = "a single finish or variant cannot be compared; give at least two";
+            Err(Fault::new(Code::E205, message))
+        } else {
+            Ok(())
         }
     }
 
@@ -356,7 +355,7 @@ pub fn compare<C: Clone + Into<Train>>(
     let mut results: Vec<FinishResult> = Vec::with_capacity(runs.len());
     for (k, (name, case, outcome)) in runs.iter().enumerate() {
         let first = (k > 0).then(|| &runs[0].2);
-        results.push(finish_result(name, (case, outcome), first)?);
+        results.push(finish_result(name, case, outcome, first)?);
     }
     let are_finishes = runs
         .iter()
@@ -374,15 +373,17 @@ pub fn compare<C: Clone + Into<Train>>(
     Ok(Comparison {
         program: PROGRAM.to_owned(),
         title,
-        scope: match results.iter().any(|finish| finish.gearbox.is_some()) {
-            true => Scope::Gearbox,
-            false => Scope::Mesh,
+        scope: if results.iter().any(|finish| finish.gearbox.is_some()) {
+            Scope::Gearbox
+        } else {
+            Scope::Mesh
         },
         power_in_w: results.last().map_or(0.0, |finish| finish.power_in_w),
         // Other oils or gears order the losses, too.
-        correlations: match are_finishes {
-            true => correlations(&results),
-            false => Vec::new(),
+        correlations: if are_finishes {
+            correlations(&results)
+        } else {
+            Vec::new()
         },
         windows: results.iter().map(pooled).sum(),
         finishes: results,
@@ -442,7 +443,8 @@ pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
 
 fn finish_result(
     name: &str,
-    (case, outcome): (&Train, &Outcome),
+    case: &Train,
+    outcome: &Outcome,
     first: Option<&Outcome>,
 ) -> Result<FinishResult, Error> {
     let compared = first.and_then(|first| first.drawn_beside(outcome));
@@ -550,12 +552,13 @@ fn warnings(outcome: &Outcome) -> Vec<String> {
     let all: Vec<Vec<String>> = outcome.meshes.iter().map(of).collect();
     let texts = outcome.whole.meshes.iter().zip(&all);
     unique(texts.flat_map(|(row, warnings)| {
-        warnings.iter().map(
-            |warning| match all.iter().all(|other| other.contains(warning)) {
-                true => warning.clone(),
-                false => format!("{warning} [{}]", row.mesh),
-            },
-        )
+        warnings.iter().map(|warning| {
+            if all.iter().all(|other| other.contains(warning)) {
+                warning.clone()
+            } else {
+                format!("{warning} [{}]", row.mesh)
+            }
+        })
     }))
 }
 

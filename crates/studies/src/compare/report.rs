@@ -49,13 +49,14 @@ impl StudyResult for Comparison {
             .text([note(self)])
             .text(run_in(self))
             .text([scope(self)]);
-        let report = match of_pair {
-            true => of_pairs(report, self),
-            false => report
+        let report = if of_pair {
+            of_pairs(report, self)
+        } else {
+            report
                 .section("Meshes")
                 .table(meshes(self))
                 .text([OF_MESHES])
-                .on_page(),
+                .on_page()
         };
         let report = compared(report, self);
         report
@@ -114,9 +115,10 @@ fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
     };
     if !table.is_empty() {
         report = report
-            .section(match is_decided {
-                true => "What would decide",
-                false => "What would narrow the difference",
+            .section(if is_decided {
+                "What would decide"
+            } else {
+                "What would narrow the difference"
             })
             .text([DECIDING].into_iter().chain(none))
             .on_page();
@@ -132,14 +134,15 @@ fn compared<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
         text belongs_to "belongs to" "" = &row.belongs_to;
         number correlation "correlation" "" "{:.2}" = row.correlation;
     };
-    match table.is_empty() {
-        true => report,
-        false => report
+    if table.is_empty() {
+        report
+    } else {
+        report
             .section("Draws in common")
             .text([COMMON])
             .on_page()
             .table(table)
-            .on_page(),
+            .on_page()
     }
 }
 
@@ -170,13 +173,15 @@ fn of_pairs<'a>(report: Report<'a>, comparison: &'a Comparison) -> Report<'a> {
         .rows("parts.csv", || tables::parts(comparison))
         .rows("offsets.csv", || tables::offsets(comparison))
         .rows("path.csv", || tables::path(comparison));
-    let report = match comparison.has_equal_flanks() {
-        true => report,
-        false => of_flanks(report, comparison),
+    let report = if comparison.has_equal_flanks() {
+        report
+    } else {
+        of_flanks(report, comparison)
     };
-    let report = match comparison.correlations.is_empty() {
-        true => report,
-        false => correlations(report, comparison),
+    let report = if comparison.correlations.is_empty() {
+        report
+    } else {
+        correlations(report, comparison)
     };
     let drawn = drawn(comparison);
     let Some((_, first)) = drawn.first() else {

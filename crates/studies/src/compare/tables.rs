@@ -5,7 +5,7 @@ use asperity_report::tables::{BODIES, FlankTables};
 use serde::Serialize;
 
 use super::comparison::{Comparison, FinishResult};
-use super::windows::WindowRoughness;
+use super::windows::ComparedRoughness;
 
 /// Row of `path.csv`: the local loss of a finish.
 #[derive(Serialize)]
@@ -36,15 +36,15 @@ pub(super) fn path(comparison: &Comparison) -> impl Iterator<Item = PathRow<'_>>
 
 /// Row of `parts.csv`: a part of the loss of a finish.
 #[derive(Serialize)]
-pub(super) struct PartRow<'a> {
+pub(super) struct ComparedPartRow<'a> {
     finish: &'a str,
     part: &'static str,
     loss_w: f64,
 }
 
-pub(super) fn parts(comparison: &Comparison) -> impl Iterator<Item = PartRow<'_>> {
+pub(super) fn parts(comparison: &Comparison) -> impl Iterator<Item = ComparedPartRow<'_>> {
     comparison.pairs().flat_map(|(finish, pair)| {
-        parts_of(&pair.result).map(|(part, loss_w, _)| PartRow {
+        parts_of(&pair.result).map(|(part, loss_w, _)| ComparedPartRow {
             finish: &finish.name,
             part,
             loss_w,
@@ -131,7 +131,7 @@ fn flanks(
 
 /// Row of `offsets.csv`: a window with a finish.
 #[derive(Serialize)]
-pub(super) struct OffsetRow<'a> {
+pub(super) struct ComparedOffsetRow<'a> {
     finish: &'a str,
     offset: usize,
     loss_w: f64,
@@ -144,10 +144,10 @@ pub(super) struct OffsetRow<'a> {
     rvk_composite_um: f64,
 }
 
-pub(super) fn offsets(comparison: &Comparison) -> impl Iterator<Item = OffsetRow<'_>> {
+pub(super) fn offsets(comparison: &Comparison) -> impl Iterator<Item = ComparedOffsetRow<'_>> {
     comparison.finishes.iter().flat_map(|finish| {
         let both = finish.offsets.iter().zip(finish.roughness());
-        both.map(|(row, window): (_, &WindowRoughness)| OffsetRow {
+        both.map(|(row, window): (_, &ComparedRoughness)| ComparedOffsetRow {
             finish: &finish.name,
             offset: row.offset,
             loss_w: row.loss_w,

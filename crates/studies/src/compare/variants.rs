@@ -94,9 +94,10 @@ impl FromStr for NamedVariant {
             .filter(|entry| !entry.is_empty())
             .map(read)
             .collect();
-        match keys.is_empty() {
-            true => Err(refused("it changes nothing of the case")),
-            false => named(name, WrittenVariant::Keys(keys)),
+        if keys.is_empty() {
+            Err(refused("it changes nothing of the case"))
+        } else {
+            named(name, WrittenVariant::Keys(keys))
         }
     }
 }
@@ -148,9 +149,10 @@ pub fn keys_in(text: &str) -> Result<Keys, Fault> {
         .map_err(|error: toml::de::Error| Fault::new(Code::E202, error.message().to_owned()))?;
     let mut keys = Keys::new();
     gather("", &Value::Table(table), &mut keys);
-    match keys.is_empty() {
-        true => Err(Fault::new(Code::E205, "the file has no keys").helping(FORMS)),
-        false => Ok(keys),
+    if keys.is_empty() {
+        Err(Fault::new(Code::E205, "the file has no keys").helping(FORMS))
+    } else {
+        Ok(keys)
     }
 }
 
@@ -213,9 +215,10 @@ pub fn varied(base: &Train, keys: &Keys, unset: &[String]) -> Result<Train, Faul
         if let Some((other, _)) =
             before.find(|(other, _)| is_within(other, key) || is_within(key, other))
         {
-            let message = match other == key {
-                true => format!("{key} is set twice"),
-                false => format!("{key} and {other} set the same"),
+            let message = if other == key {
+                format!("{key} is set twice")
+            } else {
+                format!("{key} and {other} set the same")
             };
             return Err(Fault::new(Code::E205, message).helping("Leave one of them out."));
         }

@@ -47,9 +47,10 @@ pub(super) fn table(comparison: &Comparison) -> Table {
         ..=2 => table.brief(&["sign"]),
         _ => table,
     };
-    let table = match comparison.has_equal_oils() {
-        true => table.unshown_of(&OIL),
-        false => table.brief(&OIL),
+    let table = if comparison.has_equal_oils() {
+        table.unshown_of(&OIL)
+    } else {
+        table.brief(&OIL)
     };
     table
         .renamed("finish", comparison.noun())
@@ -222,18 +223,16 @@ fn interval(estimate: Estimate, is_signed: bool) -> String {
         return "0".to_owned();
     }
     let digits = Digits::of_difference(estimate.ends());
-    match is_signed {
-        true => digits.signed_interval(estimate),
-        false => digits.interval(estimate),
+    if is_signed {
+        digits.signed_interval(estimate)
+    } else {
+        digits.interval(estimate)
     }
 }
 
 /// Heading of the names of what is compared.
 pub(crate) fn noun(are_finishes: bool) -> &'static str {
-    match are_finishes {
-        true => "finish",
-        false => "variant",
-    }
+    if are_finishes { "finish" } else { "variant" }
 }
 
 impl Comparison {
@@ -305,9 +304,10 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
         count => format!("all {count} models"),
     };
     let range = difference.model_range_w().map_or(String::new(), |range| {
-        let turned = match sign < 0.0 {
-            true => [-range[1], -range[0]],
-            false => range,
+        let turned = if sign < 0.0 {
+            [-range[1], -range[0]]
+        } else {
+            range
         };
         match count {
             1 => format!(" ({} W)", digits.rounded(turned[0])),
@@ -521,12 +521,13 @@ pub(super) fn warnings(comparison: &Comparison) -> Vec<String> {
         }
     }
     let lines = finishes_of.iter();
-    let lines = lines.map(
-        |(warning, names)| match names.len() == comparison.finishes.len() {
-            true => (*warning).to_owned(),
-            false => format!("{warning} ({})", names.join(", ")),
-        },
-    );
+    let lines = lines.map(|(warning, names)| {
+        if names.len() == comparison.finishes.len() {
+            (*warning).to_owned()
+        } else {
+            format!("{warning} ({})", names.join(", "))
+        }
+    });
     lines.collect()
 }
 

@@ -79,12 +79,13 @@ impl Coverage {
     /// # Errors
     /// When more than 5 % is outside.
     pub fn check(self) -> Result<(), Uncovered> {
-        match self.outside_energy > MOST_OUTSIDE {
-            true => Err(Uncovered {
+        if self.outside_energy > MOST_OUTSIDE {
+            Err(Uncovered {
                 text: self.text(),
                 jump: self.jump().map(|jump| jump.place()),
-            }),
-            false => Ok(()),
+            })
+        } else {
+            Ok(())
         }
     }
 
@@ -133,9 +134,10 @@ impl Coverage {
 
 /// Time of a point in motion \[s\].
 pub(super) fn moving_time(point: &CyclePoint) -> f64 {
-    match point.speed_rpm == 0.0 {
-        true => 0.0,
-        false => point.weight_s,
+    if point.speed_rpm == 0.0 {
+        0.0
+    } else {
+        point.weight_s
     }
 }
 

@@ -14,7 +14,7 @@ use asperity::uncertainty::Predictive;
 use asperity_core::numerics::add_times;
 
 use super::trace::Cycle;
-use crate::map::{Beside, FinishMap, Place};
+use crate::map::{Beside, FinishMap, MapPlace};
 
 /// Standard error of an energy by the sampling of the flanks over the sum of the errors of its points: the points lie at other
 /// places of the same traces. 0.74 measured over six points; independent points would have 0.45.
@@ -24,20 +24,21 @@ const OF_ENERGY: f64 = 0.75;
 pub(super) const WATT_HOUR: f64 = 3600.0;
 
 /// Draws of a finish over a cycle at one temperature.
-pub(super) struct Draws<'a> {
+pub(super) struct CycleDraws<'a> {
     finish: &'a FinishMap,
     cycle: &'a Cycle,
     /// Place of each point between the nodes, and its loss with every constant at its median \[W\].
-    points: Vec<(Place, f64)>,
+    points: Vec<(MapPlace, f64)>,
     /// Quantiles of the loss at the places over the loss with every constant at its median.
-    ratios: BTreeMap<Place, Estimate>,
+    ratios: BTreeMap<MapPlace, Estimate>,
 }
 
-impl<'a> Draws<'a> {
+impl<'a> CycleDraws<'a> {
     /// The draws of a finish with the losses `loss_w` \[W\] at the points of the cycle, which are medians; `None` on a map without
     /// draws.
     pub fn new(
-        (finish, celsius): (&'a FinishMap, f64),
+        finish: &'a FinishMap,
+        celsius: f64,
         cycle: &'a Cycle,
         loss_w: &[f64],
     ) -> Option<Self> {
@@ -65,7 +66,7 @@ impl<'a> Draws<'a> {
     /// Energies of all draws \[Wh\], in common with those of another finish; `None` on a map without draws.
     pub(crate) fn energies_wh(&self, beside: Beside<'_>) -> Option<Vec<f64>> {
         let drawn = self.finish.drawn(beside, OF_ENERGY)?;
-        let mut of_places: BTreeMap<Place, f64> = BTreeMap::new();
+        let mut of_places: BTreeMap<MapPlace, f64> = BTreeMap::new();
         for ((place, loss), hours) in self.hours() {
             *of_places.entry(*place).or_default() += loss * hours;
         }
@@ -78,7 +79,7 @@ impl<'a> Draws<'a> {
 
     /// Median with 5 % and 95 % quantiles of the loss at each point \[W\].
     pub fn losses_w(&self) -> Vec<Estimate> {
-        let of_point = |(place, loss): &(Place, f64)| {
+        let of_point = |(place, loss): &(MapPlace, f64)| {
             let ratios = self.ratios.get(place);
             ratios.map(|ratios| ratios.map(|ratio| ratio * loss))
         };
@@ -86,7 +87,7 @@ impl<'a> Draws<'a> {
     }
 
     /// Points with the hours that they stand for.
-    fn hours(&self) -> impl Iterator<Item = (&(Place, f64), f64)> {
+    fn hours(&self) -> impl Iterator<Item = (&(MapPlace, f64), f64)> {
         let hours = self
             .cycle
             .points

@@ -10,7 +10,7 @@ use asperity::uncertainty::{differences, median_with_ends};
 use serde::Serialize;
 
 use super::coverage::{Coverage, moving_time, share};
-use super::draws::{Draws, WATT_HOUR};
+use super::draws::{CycleDraws, WATT_HOUR};
 use super::trace::{Cycle, CyclePoint};
 use crate::map::{Beside, FinishMap, Map, Surface};
 
@@ -111,11 +111,12 @@ impl CycleFinish {
     }
 
     /// States the energy as drawn, with its parts in proportion.
-    fn put_draws(&mut self, draws: &Draws<'_>, energies: &[f64]) {
+    fn put_draws(&mut self, draws: &CycleDraws<'_>, energies: &[f64]) {
         let drawn = median_with_ends(energies);
-        let factor = match self.lost_wh > 0.0 {
-            true => drawn.value / self.lost_wh,
-            false => 1.0,
+        let factor = if self.lost_wh > 0.0 {
+            drawn.value / self.lost_wh
+        } else {
+            1.0
         };
         for part in [&mut self.lost_drive_wh, &mut self.lost_coast_wh] {
             *part *= factor;
@@ -144,7 +145,8 @@ fn holes(map: &Map) -> Fault {
 pub fn evaluate(
     map: &Arc<Map>,
     temperature: usize,
-    (cycle, name): (&Cycle, &str),
+    cycle: &Cycle,
+    name: &str,
     takes_any: bool,
 ) -> Result<CycleResult, Fault> {
     let energy = |is_meant: &dyn Fn(f64) -> bool| {
@@ -168,10 +170,10 @@ pub fn evaluate(
         coverage.check()?;
     }
     let celsius = map.axes.temperature_c[temperature];
-    let mut of_first: Option<Draws<'_>> = None;
+    let mut of_first: Option<CycleDraws<'_>> = None;
     for (finish, surface) in map.finishes.iter().zip(&surfaces) {
         let mut result = of_finish(finish, surface, cycle);
-        let draws = Draws::new((finish, celsius), cycle, &result.loss_w);
+        let draws = CycleDraws::new(finish, celsius, cycle, &result.loss_w);
         let deltas = of_first.as_ref().and_then(|first| {
             let own = draws.as_ref()?.energies_wh(Beside::First)?;
             let first = first.energies_wh(Beside::Other(&finish.draws))?;

@@ -8,9 +8,10 @@ use asperity_table::{Ragged, RowFault};
 
 /// Columns are missing; `found` are those of the table, or its first row.
 pub(super) fn columns(found: &str, has_names: bool) -> Fault {
-    let found = match has_names {
-        true => format!("columns {found}"),
-        false => format!("no line of names above the first row {found}"),
+    let found = if has_names {
+        format!("columns {found}")
+    } else {
+        format!("no line of names above the first row {found}")
     };
     of_names(format!(
         "{found}; required are a time with torque and speed of the pinion, or a time with the speed of a vehicle, in columns like time_s, torque_nm, speed_rpm, speed_km_h, speed_mph, grade_percent"

@@ -117,13 +117,14 @@ fn in_pairs(result: &CycleResult) -> Option<&'static str> {
 
 /// Shares outside of the map and below the resolved torque.
 fn outside(result: &CycleResult) -> String {
-    let outside = match result.outside_share > 0.0 {
-        true => format!(
+    let outside = if result.outside_share > 0.0 {
+        format!(
             "Outside of the map, with the ratio of loss to torque at its edge: {:.1} % of the energy ({:.1} % of the moving time). ",
             100.0 * result.outside_energy_share,
             100.0 * result.outside_share,
-        ),
-        false => String::new(),
+        )
+    } else {
+        String::new()
     };
     format!(
         "{outside}Below the torque that the traces resolve, with a scaled sliding loss: {:.1} % of the moving time.",

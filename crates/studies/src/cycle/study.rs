@@ -101,6 +101,6 @@ impl StudySettings for CycleSettings {
         let temperature = self.temperature(&map)?;
         let names = (!self.columns.is_empty()).then_some(&self.columns[..]);
         let cycle = named_cycle(&text, names, map.input.vehicle.as_ref())?;
-        evaluate(&map, temperature, (&cycle, &name), self.allow_outside)
+        evaluate(&map, temperature, &cycle, &name, self.allow_outside)
     }
 }

@@ -112,7 +112,7 @@ pub fn named_cycle(
     names: Option<&[String]>,
     vehicle: Option<&VehicleInput>,
 ) -> Result<Cycle, Fault> {
-    let table = Columns(Table::named(text, names).map_err(error::ragged)?);
+    let table = CycleColumns(Table::named(text, names).map_err(error::ragged)?);
     let time = table.time()?;
     if time.len() < 2 {
         return Err(error::short());
@@ -314,7 +314,7 @@ fn limit(column: &str) -> f64 {
 }
 
 /// A quantity of a cycle: its column, the words that name it in other programs, and their units.
-struct Quantity {
+struct CycleQuantity {
     column: &'static str,
     words: &'static [&'static str],
     units: &'static [(&'static str, Unit)],
@@ -346,8 +346,8 @@ impl Unit {
 
 /// Columns of a cycle in other programs: VECTO (km/h, grades in per cent), FASTSim 2 and 3 (m/s, grades as fractions),
 /// exports and recorded trips in several languages.
-const QUANTITIES: [Quantity; 5] = [
-    Quantity {
+const QUANTITIES: [CycleQuantity; 5] = [
+    CycleQuantity {
         column: "time_s",
         words: &[
             "time",
@@ -383,7 +383,7 @@ const QUANTITIES: [Quantity; 5] = [
             ("sec", Unit::OWN),
         ],
     },
-    Quantity {
+    CycleQuantity {
         column: "torque_nm",
         words: &[
             "torque",
@@ -405,7 +405,7 @@ const QUANTITIES: [Quantity; 5] = [
         ],
         names: &[],
     },
-    Quantity {
+    CycleQuantity {
         column: "speed_rpm",
         words: &[
             "speed",
@@ -431,7 +431,7 @@ const QUANTITIES: [Quantity; 5] = [
         ],
         names: &[],
     },
-    Quantity {
+    CycleQuantity {
         column: "speed_km_h",
         words: &[
             "speed",
@@ -478,7 +478,7 @@ const QUANTITIES: [Quantity; 5] = [
             ("km_h", Unit::OWN),
         ],
     },
-    Quantity {
+    CycleQuantity {
         column: "grade_percent",
         words: &[
             "grade",
@@ -519,7 +519,7 @@ const CLOCKS: [&str; 7] = [
     "datum",
 ];
 
-impl Quantity {
+impl CycleQuantity {
     /// Unit of the column `name`; `None` if the name is of another quantity.
     fn unit(&self, name: &str) -> Option<Unit> {
         if name == self.column {
@@ -570,7 +570,7 @@ fn seconds(text: &str) -> Option<f64> {
 }
 
 /// A cycle as a table.
-struct Columns(Table);
+struct CycleColumns(Table);
 
 /// A column of [`QUANTITIES`] in a table.
 struct Found<'a> {
@@ -580,7 +580,7 @@ struct Found<'a> {
     unit: Unit,
 }
 
-impl Columns {
+impl CycleColumns {
     fn lacking(&self) -> Fault {
         let found = Vec::from_iter(self.0.heads()).join(", ");
         error::columns(&found, self.0.has_names())
@@ -878,13 +878,15 @@ mod tests {
             ),
         ] {
             let names = names.map(|names| names.split(',').map(str::to_owned).collect::<Vec<_>>());
-            let rows = match head.contains("mph") {
-                true => rows.replace(",0,1", &format!(",{},1", 10.8 / MILE)),
-                false => rows.to_owned(),
+            let rows = if head.contains("mph") {
+                rows.replace(",0,1", &format!(",{},1", 10.8 / MILE))
+            } else {
+                rows.to_owned()
             };
-            let rows = match head.contains("Zeitstempel") {
-                true => rows.replace("20,5;", "20.5;").replace("10,8", "10.8"),
-                false => rows,
+            let rows = if head.contains("Zeitstempel") {
+                rows.replace("20,5;", "20.5;").replace("10,8", "10.8")
+            } else {
+                rows
             };
             let found = named_cycle(
                 &(head.to_owned() + &rows),

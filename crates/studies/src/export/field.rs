@@ -168,9 +168,12 @@ impl Field {
         let nodes: usize = fields.iter().map(|field| field.mesh_nm.len()).sum();
         let marks = fields.iter().flat_map(|field| &field.outside);
         let marks = counted(marks.map(|(mark, count)| (mark, *count)));
-        let places = |count: usize| match count == nodes {
-            true => "every node".to_owned(),
-            false => format!("{count} of {nodes} nodes"),
+        let places = |count: usize| {
+            if count == nodes {
+                "every node".to_owned()
+            } else {
+                format!("{count} of {nodes} nodes")
+            }
         };
         let (extended, outside): (Vec<_>, Vec<_>) =
             marks.into_iter().partition(|(mark, _)| mark == EXTENDED);
@@ -196,9 +199,10 @@ impl Field {
 
     /// Rejects a map of one torque or one speed.
     pub(super) fn check_size(&self, format: &'static str) -> Result<(), Fault> {
-        match self.torque_nm.len() >= 2 && self.speed_rpm.len() >= 2 {
-            true => Ok(()),
-            false => Err(error::too_small(format)),
+        if self.torque_nm.len() >= 2 && self.speed_rpm.len() >= 2 {
+            Ok(())
+        } else {
+            Err(error::too_small(format))
         }
     }
 

@@ -13,7 +13,7 @@ use zip::write::SimpleFileOptions;
 
 use super::error;
 use super::field::Field;
-use super::given::Given;
+use super::given::ExportGiven;
 
 const MODEL: &str = "AsperityLoss";
 const CODE: &str = include_str!("fmu.c");
@@ -77,7 +77,7 @@ fn first(fields: &[Field]) -> Result<&Field, Fault> {
 }
 
 /// The unit: description, source and, if `cc` is available, a library for this machine.
-pub(super) fn archive(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
+pub(super) fn archive(given: &ExportGiven<'_>) -> Result<Option<Vec<u8>>, Fault> {
     let source = c_source(given.fields)?;
     let library = library(&source, given.with.beside);
     let description = description(given.fields, library.is_some())?;

@@ -9,24 +9,24 @@ use serde_json::json;
 
 use super::error;
 use super::field::Field;
-use super::given::{Given, With};
+use super::given::{ExportGiven, With};
 use super::names::degrees;
 use super::{efficiency, fmu, lossy_gear, mat5, modelica, tables};
 use crate::map::Map;
 
 /// Function that makes a file of a format.
-enum Writer {
+enum FormatWriter {
     /// One file, which holds every temperature; `None` where the map has nothing for it.
-    Whole(fn(&Given<'_>) -> Result<Option<Vec<u8>>, Fault>),
+    Whole(fn(&ExportGiven<'_>) -> Result<Option<Vec<u8>>, Fault>),
     /// A file for each temperature.
     Each(fn(&Field, &With<'_>) -> Result<Vec<u8>, Fault>),
 }
 
 /// Facts about a format.
-struct Row {
+struct ExportRow {
     format: Format,
     holds: &'static str,
-    files: &'static [(&'static str, Writer)],
+    files: &'static [(&'static str, FormatWriter)],
 }
 
 /// Place of the name of a finish in the pattern of a file.
@@ -50,10 +50,10 @@ macro_rules! exports {
             pub const ALL: &[Self] = &[$(Self::$name),+];
         }
 
-        const ROWS: &[Row] = &[$(Row {
+        const ROWS: &[ExportRow] = &[$(ExportRow {
             format: Format::$name,
             holds: $holds,
-            files: &[$(($file, Writer::$kind($write))),+],
+            files: &[$(($file, FormatWriter::$kind($write))),+],
         }),+];
     };
 }
@@ -99,7 +99,7 @@ impl Format {
         self.row().files.iter().map(|(pattern, _)| *pattern)
     }
 
-    fn row(self) -> &'static Row {
+    fn row(self) -> &'static ExportRow {
         let index = ROWS.iter().position(|row| row.format == self);
         &ROWS[index.unwrap_or_default()]
     }
@@ -110,11 +110,12 @@ impl Format {
         let about = error
             .about(name.as_str().unwrap_or_default())
             .about("export");
-        match about.remedy().is_empty() {
-            true => about.helping(
+        if about.remedy().is_empty() {
+            about.helping(
                 "The map itself can be computed without exports; a format may need other axes.",
-            ),
-            false => about,
+            )
+        } else {
+            about
         }
     }
 }
@@ -150,8 +151,8 @@ fn files_of(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>
         };
         for (pattern, writer) in format.row().files {
             match writer {
-                Writer::Whole(write) => {
-                    let given = Given {
+                FormatWriter::Whole(write) => {
+                    let given = ExportGiven {
                         fields,
                         finish,
                         with,
@@ -160,7 +161,7 @@ fn files_of(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>
                         push(pattern, &name, bytes);
                     }
                 }
-                Writer::Each(write) => {
+                FormatWriter::Each(write) => {
                     for field in fields {
                         let name = match fields.len() {
                             1 => name.clone(),
@@ -181,9 +182,12 @@ fn files_of(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>
 /// When two of them would have files of one name, or the cycle is missing.
 pub fn check(finishes: &[&str], format: Format, has_cycle: bool) -> Result<(), Fault> {
     let names = check_names(finishes, format);
-    let checked = names.and_then(|()| match format == Format::Fastsim && !has_cycle {
-        true => Err(error::no_cycle("fastsim")),
-        false => Ok(()),
+    let checked = names.and_then(|()| {
+        if format == Format::Fastsim && !has_cycle {
+            Err(error::no_cycle("fastsim"))
+        } else {
+            Ok(())
+        }
     });
     checked.map_err(|error| format.refused(error))
 }

@@ -31,7 +31,7 @@ impl With<'_> {
 }
 
 /// Data that the files of a finish are made of.
-pub(super) struct Given<'a> {
+pub(super) struct ExportGiven<'a> {
     /// One for each temperature.
     pub fields: &'a [Field],
     pub finish: &'a FinishMap,

@@ -40,9 +40,10 @@ impl Lines {
         // Columns of order one: constant, driving, driven. A direction without torques has the losses of the other.
         let row = |torque: f64| {
             let share = torque.abs() / largest;
-            match torque < 0.0 {
-                true => [1.0, 0.0, share],
-                false => [1.0, share, 0.0],
+            if torque < 0.0 {
+                [1.0, 0.0, share]
+            } else {
+                [1.0, share, 0.0]
             }
         };
         let mut normal = [[0.0; 4]; 3];

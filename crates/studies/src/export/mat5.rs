@@ -3,7 +3,7 @@
 use asperity_core::Fault;
 
 use super::field::Field;
-use super::given::Given;
+use super::given::ExportGiven;
 use crate::map::efficiency;
 
 /// Types of data elements.
@@ -112,7 +112,7 @@ fn push(bytes: &mut Vec<u8>, kind: u32, data: &[u8]) {
 const FILLED: &str = "efficiency at torque 0: that of the next torque, the positive one first, and 0 without one; where the loss exceeds the torque: 0. No other value is filled in; at speed 0 the loss torque is that at 1 1/min";
 
 /// Fields of a finish: arrays over torque, speed and, of several, temperature.
-pub(super) fn of_fields(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
+pub(super) fn of_fields(given: &ExportGiven<'_>) -> Result<Option<Vec<u8>>, Fault> {
     let fields = given.fields;
     let Some(first) = fields.first() else {
         return Ok(None);

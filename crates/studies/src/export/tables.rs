@@ -9,10 +9,10 @@ use asperity_report::tables::text;
 use serde::Serialize;
 
 use super::field::Field;
-use super::given::{Given, With};
+use super::given::{ExportGiven, With};
 
 /// CSV with one row per node, mesh and added loss in separate columns.
-pub(super) fn csv(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
+pub(super) fn csv(given: &ExportGiven<'_>) -> Result<Option<Vec<u8>>, Fault> {
     #[derive(Serialize)]
     struct NodeRow<'a> {
         torque_nm: f64,
@@ -52,12 +52,12 @@ pub(super) fn csv(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
 }
 
 /// CSV with one row per node and mesh of a gear train, the loss torque of all equal meshes at the input shaft.
-pub(super) fn meshes_csv(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
+pub(super) fn meshes_csv(given: &ExportGiven<'_>) -> Result<Option<Vec<u8>>, Fault> {
     if given.finish.meshes.is_empty() {
         return Ok(None);
     }
     #[derive(Serialize)]
-    struct MeshRow<'a> {
+    struct ExportMeshRow<'a> {
         torque_nm: f64,
         speed_rpm: f64,
         temperature_c: f64,
@@ -69,7 +69,7 @@ pub(super) fn meshes_csv(given: &Given<'_>) -> Result<Option<Vec<u8>>, Fault> {
         let across = field.speed_rpm.len();
         for (mesh, losses) in &field.parts {
             for (index, loss) in losses.iter().enumerate() {
-                rows.push(MeshRow {
+                rows.push(ExportMeshRow {
                     torque_nm: field.torque_nm[index / across],
                     speed_rpm: field.speed_rpm[index % across],
                     temperature_c: field.temperature_c,

@@ -154,7 +154,7 @@ pub struct Drawn<'a> {
 }
 
 /// Place between nodes: side, then coordinates over temperature, torque and speed in parts of an interval.
-pub(crate) type Place = [u32; 4];
+pub(crate) type MapPlace = [u32; 4];
 
 impl<'a> Drawn<'a> {
     /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn).
@@ -193,7 +193,7 @@ impl<'a> Drawn<'a> {
     }
 
     /// The place of an operating point, rounded to a 64th of the interval between nodes.
-    pub(crate) fn place(&self, torque_nm: f64, speed_rpm: f64, temperature_c: f64) -> Place {
+    pub(crate) fn place(&self, torque_nm: f64, speed_rpm: f64, temperature_c: f64) -> MapPlace {
         let [torque_nm, speed_rpm] = forwards(torque_nm, speed_rpm);
         let side = usize::from(torque_nm < 0.0).min(self.sides.len() - 1);
         let nodes = self.sides[side].nodes;
@@ -210,7 +210,7 @@ impl<'a> Drawn<'a> {
     }
 
     /// exp(L_j) of all draws.
-    pub(crate) fn ratios(&self, place: Place) -> Vec<f64> {
+    pub(crate) fn ratios(&self, place: MapPlace) -> Vec<f64> {
         let [side, at @ ..] = place;
         let side = &self.sides[side as usize];
         let (torques, speeds) = (side.nodes.torque_nm.len(), side.nodes.speed_rpm.len());
@@ -237,7 +237,7 @@ impl<'a> Drawn<'a> {
     }
 
     /// Median with 5 and 95 % quantiles over the loss with every constant at its median.
-    pub(crate) fn quantiles(&self, place: Place) -> Estimate {
+    pub(crate) fn quantiles(&self, place: MapPlace) -> Estimate {
         median_with_ends(&self.ratios(place))
     }
 }

@@ -69,10 +69,11 @@ pub(super) fn closer(map: &Map, finish: &FinishMap, temperature: usize, field: C
         for &torque in &columns {
             let (column, is_torque) = place(&field.columns, torque);
             let at = row * field.columns.len() + column;
-            values.push(match is_speed && is_torque {
-                true => field.values[at],
-                false => efficiency(torque, surface.loss_torque(torque, speed).value)
-                    .map_or(f64::NAN, |efficiency| 100.0 * efficiency),
+            values.push(if is_speed && is_torque {
+                field.values[at]
+            } else {
+                efficiency(torque, surface.loss_torque(torque, speed).value)
+                    .map_or(f64::NAN, |efficiency| 100.0 * efficiency)
             });
             hatched.extend(field.hatched.get(at));
         }
@@ -121,9 +122,10 @@ fn closer_torques(torques: &[f64]) -> Vec<f64> {
 /// Efficiency with a loss torque \[N m\]; `None` if the loss exceeds the power in. At a negative torque the power leaves at the
 /// input shaft.
 pub(crate) fn efficiency(torque_nm: f64, loss_nm: f64) -> Option<f64> {
-    let power_in = match torque_nm < 0.0 {
-        true => torque_nm.abs() + loss_nm,
-        false => torque_nm,
+    let power_in = if torque_nm < 0.0 {
+        torque_nm.abs() + loss_nm
+    } else {
+        torque_nm
     };
     let efficiency = 1.0 - loss_nm / power_in;
     (0.0..1.0).contains(&efficiency).then_some(efficiency)

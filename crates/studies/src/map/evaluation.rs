@@ -25,7 +25,7 @@ use super::point::{MapGearbox, MeshPart};
 
 /// Losses of all meshes at one operating point of the input shaft.
 #[derive(Debug, Clone)]
-pub(super) struct Evaluated {
+pub(super) struct EvaluatedPoint {
     pub meshes: Vec<EvaluatedMesh>,
     /// Speed of the input shaft \[rad/s\].
     pub omega: f64,
@@ -92,13 +92,14 @@ pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase,
 }
 
 /// Flanks run in, by the number of their mesh and whether its torque is negative.
-pub(super) type RunInFlanks = BTreeMap<(usize, bool), Surfaces>;
+pub(super) type FlanksOfTorques = BTreeMap<(usize, bool), Surfaces>;
 
 /// The case on its flanks run in, once for all torques of one sign.
 fn on_run_in(
     case: LoadedCase,
-    (plan, mesh): (Option<RunningInPlan>, usize),
-    known: &mut RunInFlanks,
+    plan: Option<RunningInPlan>,
+    mesh: usize,
+    known: &mut FlanksOfTorques,
 ) -> Result<LoadedCase, Error> {
     let Some(plan) = plan else {
         return Ok(case);
@@ -119,13 +120,13 @@ fn on_run_in(
 /// Evaluates all speeds and temperatures at one torque of the input shaft, by temperature, with draws at the nodes.
 pub(super) fn evaluate(
     train: &Train,
-    (torque, run_in): (Torque, &mut RunInFlanks),
+    (torque, run_in): (Torque, &mut FlanksOfTorques),
     (speeds, temperatures): (&[f64], &[f64]),
     is_node: &(dyn Fn(f64, f64) -> bool + Sync),
     progress: &(dyn Fn() + Sync),
-) -> Vec<Result<Evaluated, Code>> {
+) -> Vec<Result<EvaluatedPoint, Code>> {
     let code = |error: &Error| error.code().to_owned();
-    let prepared = Prepared::new(train, (torque, run_in), speeds);
+    let prepared = PreparedTorque::new(train, (torque, run_in), speeds);
     let nodes = temperatures.iter().flat_map(|temperature| {
         let at = |(column, speed): (usize, &f64)| (column, *speed, *temperature);
         speeds.iter().enumerate().map(at)
@@ -136,18 +137,19 @@ pub(super) fn evaluate(
         Err(error) => return nodes.iter().map(|_| Err(code(error))).collect(),
     };
     let evaluated = par_map(&nodes, |&(column, speed, temperature)| {
-        let losses = prepared.at((column, speed), temperature, is_node(speed, temperature));
+        let losses = prepared.at(column, speed, temperature, is_node(speed, temperature));
         progress();
         losses.map_err(|error| code(&error))
     });
-    match train.shafting.passes_losses {
-        true => prepared.with_passed_losses(train, torque, &nodes, evaluated),
-        false => evaluated,
+    if train.shafting.passes_losses {
+        prepared.with_passed_losses(train, torque, &nodes, evaluated)
+    } else {
+        evaluated
     }
 }
 
 /// The meshes of a train at one torque of its input shaft.
-struct Prepared {
+struct PreparedTorque {
     /// Loads of all meshes at each speed.
     loads: Vec<Vec<MeshLoad>>,
     /// Each mesh with its contacts, by the bits of its torque: only a stated speed of a ring changes the direction of the
@@ -155,10 +157,10 @@ struct Prepared {
     meshes: Vec<BTreeMap<u64, (LoadedCase, Vec<Contacts>)>>,
 }
 
-impl Prepared {
+impl PreparedTorque {
     fn new(
         train: &Train,
-        (torque, run_in): (Torque, &mut RunInFlanks),
+        (torque, run_in): (Torque, &mut FlanksOfTorques),
         speeds: &[f64],
     ) -> Result<Self, Error> {
         let loads = speeds.iter().map(|speed| {
@@ -176,7 +178,7 @@ impl Prepared {
                     continue;
                 }
                 let case = at_torque(&mesh.case, torque)?;
-                let case = on_run_in(case, (mesh.case.case.running_in, k), run_in)?;
+                let case = on_run_in(case, mesh.case.case.running_in, k, run_in)?;
                 let tables = match case.case.formulation.pressures() {
                     None => Run::new(&case).known(&known).contacts()?,
                     Some(_) => Vec::new(),
@@ -191,20 +193,21 @@ impl Prepared {
 
     fn at(
         &self,
-        (column, speed): (usize, f64),
+        column: usize,
+        speed: f64,
         temperature: f64,
         is_node: bool,
-    ) -> Result<Evaluated, Error> {
+    ) -> Result<EvaluatedPoint, Error> {
         let of_mesh = |(mesh, load): (&BTreeMap<u64, _>, &MeshLoad)| {
             let prepared: Option<&(LoadedCase, Vec<Contacts>)> =
                 mesh.get(&load.torque.si().to_bits());
             let (case, tables) = prepared
                 .ok_or_else(PositionError::no_profile)
                 .map_err(Box::new)?;
-            at(case, tables, (load.speed, temperature), is_node)
+            at(case, tables, load.speed, temperature, is_node)
         };
         let meshes = self.meshes.iter().zip(&self.loads[column]).map(of_mesh);
-        Ok(Evaluated {
+        Ok(EvaluatedPoint {
             meshes: meshes.collect::<Result<_, Error>>()?,
             omega: speed_of(speed).si(),
         })
@@ -219,8 +222,8 @@ impl Prepared {
         train: &Train,
         torque: Torque,
         nodes: &[(usize, f64, f64)],
-        evaluated: Vec<Result<Evaluated, Code>>,
-    ) -> Vec<Result<Evaluated, Code>> {
+        evaluated: Vec<Result<EvaluatedPoint, Code>>,
+    ) -> Vec<Result<EvaluatedPoint, Code>> {
         let code = |error: Error| error.code().to_owned();
         let farthest = match self.farthest(train, torque, nodes, &evaluated) {
             Ok(farthest) => farthest,
@@ -235,11 +238,11 @@ impl Prepared {
             let loads = &self.loads[column];
             for ((mesh, load), farthest) in evaluated.meshes.iter_mut().zip(loads).zip(&farthest) {
                 if let Some((_, case, tables)) = farthest.get(&load.torque.si().to_bits()) {
-                    let other = at(case, tables, (load.speed, temperature), false);
+                    let other = at(case, tables, load.speed, temperature, false);
                     mesh.lowered = Some((0.0, Box::new(other.map_err(code)?)));
                 }
             }
-            settle(train, torque, (loads, &farthest), &mut evaluated).map_err(code)?;
+            settle(train, torque, loads, &farthest, &mut evaluated).map_err(code)?;
             Ok(evaluated)
         })
     }
@@ -251,7 +254,7 @@ impl Prepared {
         train: &Train,
         torque: Torque,
         nodes: &[(usize, f64, f64)],
-        evaluated: &[Result<Evaluated, Code>],
+        evaluated: &[Result<EvaluatedPoint, Code>],
     ) -> Result<Vec<BTreeMap<u64, Lowered>>, Error> {
         let mut ratios: Vec<BTreeMap<u64, f64>> = vec![BTreeMap::new(); self.meshes.len()];
         for ((column, ..), evaluated) in nodes.iter().zip(evaluated) {
@@ -288,9 +291,10 @@ impl Prepared {
                 if !resolves(&other).map_err(Box::new)? {
                     other = at_ratio(2.0 - ratio)?;
                 }
-                let tables = match tables.is_empty() {
-                    true => Vec::new(),
-                    false => Run::new(&other).known(&known).contacts()?,
+                let tables = if tables.is_empty() {
+                    Vec::new()
+                } else {
+                    Run::new(&other).known(&known).contacts()?
                 };
                 known.extend_from_slice(&tables);
                 found.insert(bits, (other.case.torque.si(), other, tables));
@@ -305,7 +309,7 @@ impl Prepared {
 const LARGEST_CHANGE: f64 = 0.5;
 
 /// Loads of all meshes that the losses of a point leave.
-fn left(train: &Train, torque: Torque, evaluated: &Evaluated) -> Result<Vec<MeshLoad>, Error> {
+fn left(train: &Train, torque: Torque, evaluated: &EvaluatedPoint) -> Result<Vec<MeshLoad>, Error> {
     let losses: Vec<Power> = evaluated.meshes.iter().map(EvaluatedMesh::loss).collect();
     let speed = AngularSpeed::from_si(evaluated.omega);
     loads(train, MeshLoad { torque, speed }, &train.by_stage(&losses))
@@ -315,8 +319,9 @@ fn left(train: &Train, torque: Torque, evaluated: &Evaluated) -> Result<Vec<Mesh
 fn settle(
     train: &Train,
     torque: Torque,
-    (loads, farthest): (&[MeshLoad], &[BTreeMap<u64, Lowered>]),
-    evaluated: &mut Evaluated,
+    loads: &[MeshLoad],
+    farthest: &[BTreeMap<u64, Lowered>],
+    evaluated: &mut EvaluatedPoint,
 ) -> Result<(), Error> {
     /// Change of the share at which it has settled.
     const SETTLED: f64 = 1e-9;
@@ -366,7 +371,8 @@ fn loads(train: &Train, at: MeshLoad, losses: &[Vec<Power>]) -> Result<Vec<MeshL
 fn at(
     case: &LoadedCase,
     tables: &[Contacts],
-    (speed, temperature): (AngularSpeed, f64),
+    speed: AngularSpeed,
+    temperature: f64,
     is_node: bool,
 ) -> Result<EvaluatedMesh, Error> {
     let temperature = temperature_of(temperature);
@@ -375,9 +381,10 @@ fn at(
         input.operation.set_temperature(temperature);
     })?;
     let losses = Run::new(&case).known(tables).losses()?.into_only()?;
-    let predictive = match is_node {
-        true => predictive(&case, &losses, tables.first())?,
-        false => None,
+    let predictive = if is_node {
+        predictive(&case, &losses, tables.first())?
+    } else {
+        None
     };
     Ok(EvaluatedMesh {
         predictive,
@@ -471,9 +478,10 @@ pub(super) fn resolved_from(case: &LoadedCase, sign: f64) -> Result<f64, Error> 
     }
     for _ in 0..HALVINGS {
         let middle = (low * high).sqrt();
-        match is_resolved(middle).unwrap_or(false) {
-            true => high = middle,
-            false => low = middle,
+        if is_resolved(middle).unwrap_or(false) {
+            high = middle
+        } else {
+            low = middle
         }
     }
     Ok(high)
@@ -526,13 +534,13 @@ mod tests {
         let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
         let folder = Path::new("../../fixtures/profiles");
         let train = Train::load_set(source, folder, &[], &|_| {}).unwrap();
-        let prepared = Prepared::new(
+        let prepared = PreparedTorque::new(
             &train,
-            (Torque::from_si(80.0), &mut RunInFlanks::new()),
+            (Torque::from_si(80.0), &mut FlanksOfTorques::new()),
             &[1500.0],
         )
         .unwrap();
-        prepared.at((0, 1500.0), 90.0, false).unwrap();
+        prepared.at(0, 1500.0, 90.0, false).unwrap();
         let meshes = prepared.meshes.iter().flat_map(BTreeMap::values);
         let contacts = meshes.flat_map(|(_, contacts)| contacts);
         contacts

@@ -22,8 +22,8 @@ use asperity_core::{Code, Estimate, Fault, PROGRAM};
 use super::axes::Axes;
 use super::draws::{Beside, Drawn, DrawnNodes, MapBand, Nodes};
 use super::evaluation::{
-    Evaluated, EvaluatedMesh, RunInFlanks, at_torque, computed_speed, computed_speeds, evaluate,
-    gearbox_of, resolved_from, torque_of,
+    EvaluatedMesh, EvaluatedPoint, FlanksOfTorques, at_torque, computed_speed, computed_speeds,
+    evaluate, gearbox_of, resolved_from, torque_of,
 };
 use super::point::{EXTENDED, FinishMap, Map, MapWarning, MeshPart, Numbers, Point, ranges};
 use crate::compare::{Finish, differs_by_flanks, files};
@@ -60,11 +60,11 @@ pub fn map<C: Clone + Into<Train>>(
     let done = AtomicUsize::new(0);
     let progress = || progress(1 + done.fetch_add(1, Ordering::Relaxed), total);
     for (finish, sides) in finishes.iter().zip(&sides) {
-        maps.push(of_finish(finish, sides, (axes, &speeds), band, &progress)?);
+        maps.push(of_finish(finish, sides, axes, &speeds, band, &progress)?);
     }
     if let Some((first, others)) = maps.split_first_mut() {
         for (finish, own) in others.iter_mut().zip(&finishes[1..]) {
-            put_common(finish, &own.case, (first, case));
+            put_common(finish, &own.case, first, case);
             let largest = finish.largest().map(|(at, _)| at);
             finish.difference_w = largest.and_then(|at| {
                 let of_first = first.points.get(at)?;
@@ -104,7 +104,7 @@ pub fn map<C: Clone + Into<Train>>(
 }
 
 /// States the draws that each mesh of a finish has in common with the first finish.
-fn put_common(finish: &mut FinishMap, case: &Train, (first, of_first): (&FinishMap, &Train)) {
+fn put_common(finish: &mut FinishMap, case: &Train, first: &FinishMap, of_first: &Train) {
     // The correlations follow from the nodes of largest torque and speed.
     let drawn = |train: &Train, draws: &[DrawnNodes]| {
         let cases: Vec<LoadedCase> = train.cases().cloned().collect();
@@ -185,10 +185,7 @@ impl Sides {
             })
         };
         let drive = resolved(1.0)?;
-        let coast = match has_coast {
-            true => resolved(-1.0)?,
-            false => drive,
-        };
+        let coast = if has_coast { resolved(-1.0)? } else { drive };
         let differ = has_coast || train.shafting.passes_losses;
         let from = [drive, coast];
         let mut torques = [Vec::new(), Vec::new()];
@@ -212,12 +209,13 @@ impl Sides {
 }
 
 /// Evaluated points by side and bits of the torque.
-type Computed = BTreeMap<(usize, u64), Vec<Result<Evaluated, Code>>>;
+type Computed = BTreeMap<(usize, u64), Vec<Result<EvaluatedPoint, Code>>>;
 
 fn of_finish(
     finish: &Finish<Train>,
     sides: &Sides,
-    (axes, speeds): (&Axes, &[f64]),
+    axes: &Axes,
+    speeds: &[f64],
     band: MapBand,
     progress: &(dyn Fn() + Sync),
 ) -> Result<FinishMap, Error> {
@@ -227,7 +225,7 @@ fn of_finish(
         .each_ref()
         .map(|torques| Nodes::new(band, torques, axes));
     let mut computed = Computed::new();
-    let mut run_in = RunInFlanks::new();
+    let mut run_in = FlanksOfTorques::new();
     for (side, torque) in sides.torques() {
         let sign = if side == 1 { -1.0 } else { 1.0 };
         let nodes = (speeds, axes.temperature_c.as_slice());
@@ -237,7 +235,7 @@ fn of_finish(
         checkpoint()?;
         computed.insert((side, torque.to_bits()), evaluated);
     }
-    let draws = draws(train, &computed, drawn, sides.differ, (axes, speeds));
+    let draws = draws(train, &computed, drawn, sides.differ, axes, speeds);
     let meshes = train.counts().len();
     let drawn = Drawn::new(&draws, meshes, Beside::Nothing, 1.0);
     let nodes = axes.temperature_c.iter().enumerate().flat_map(|(row, t)| {
@@ -254,7 +252,7 @@ fn of_finish(
         let ratios = drawn
             .as_ref()
             .map(|drawn| drawn.quantiles(drawn.place(node[0], node[1], node[2])));
-        let (point, of_meshes) = point((train, sides, ratios), (&computed, speeds), row, node);
+        let (point, of_meshes) = point(train, sides, ratios, &computed, speeds, row, node);
         let parts = point.numbers.and(of_meshes);
         (point, parts)
     };
@@ -315,7 +313,8 @@ fn draws(
     computed: &Computed,
     nodes: [Nodes; 2],
     sides_differ: bool,
-    (axes, speeds): (&Axes, &[f64]),
+    axes: &Axes,
+    speeds: &[f64],
 ) -> Vec<DrawnNodes> {
     let of_mesh = |side: usize, nodes: &Nodes, mesh: usize| {
         let mut predictive = Vec::new();
@@ -357,8 +356,11 @@ fn draws(
 /// A point with the loss torque of each mesh at the input shaft \[N m\], at the median of the draws, whose quantiles are `ratios` of
 /// the loss with every constant at its median.
 fn point(
-    (train, sides, ratios): (&Train, &Sides, Option<Estimate>),
-    (computed, speeds): (&Computed, &[f64]),
+    train: &Train,
+    sides: &Sides,
+    ratios: Option<Estimate>,
+    computed: &Computed,
+    speeds: &[f64],
     row: usize,
     [torque_nm, speed_rpm, temperature_c]: [f64; 3],
 ) -> (Point, Option<Vec<f64>>) {
@@ -393,13 +395,16 @@ fn point(
         point.outside.push(EXTENDED.to_owned());
     }
     let computed_at = if side == 1 { -at } else { at };
-    let at_torque = |mesh: &EvaluatedMesh| match is_extended {
-        true => extended(mesh, evaluated.omega, torque_nm, at),
-        false => numbers(
-            mesh,
-            evaluated.omega,
-            (torque_nm < 0.0) != (computed_at < 0.0),
-        ),
+    let at_torque = |mesh: &EvaluatedMesh| {
+        if is_extended {
+            extended(mesh, evaluated.omega, torque_nm, at)
+        } else {
+            numbers(
+                mesh,
+                evaluated.omega,
+                (torque_nm < 0.0) != (computed_at < 0.0),
+            )
+        }
     };
     let of_mesh = |mesh: &EvaluatedMesh| {
         let of_run = match &mesh.lowered {
@@ -432,7 +437,7 @@ fn point(
 }
 
 /// Inputs out of range in the meshes, with the name of the mesh in a train.
-fn outside(train: &Train, evaluated: &Evaluated) -> Vec<String> {
+fn outside(train: &Train, evaluated: &EvaluatedPoint) -> Vec<String> {
     let meshes = train.meshes().zip(&evaluated.meshes);
     let of_mesh = |(mesh, evaluated): (&LoadedMesh, &EvaluatedMesh)| {
         let marks = evaluated.losses.outside.iter().map(ToString::to_string);
@@ -449,9 +454,10 @@ fn outside(train: &Train, evaluated: &Evaluated) -> Vec<String> {
 /// Power into a pair of gears \[W\].
 fn pinion_w(n: &Numbers, omega: f64, torque_nm: f64) -> f64 {
     let pinion = torque_nm.abs() * omega;
-    match torque_nm < 0.0 {
-        true => pinion + n.loss_w,
-        false => pinion,
+    if torque_nm < 0.0 {
+        pinion + n.loss_w
+    } else {
+        pinion
     }
 }
 
@@ -470,19 +476,18 @@ fn together(
     let losses = of_meshes.iter().map(|mesh| Power::from_si(mesh.loss_w));
     let losses: Vec<Power> = losses.collect();
     let loss_w = train.loss(&losses).si();
-    let power_in_w = match torque_nm == 0.0 {
-        true => 0.0,
-        false => {
-            let load = MeshLoad {
-                torque: torque_of(torque_nm),
-                speed: AngularSpeed::from_si(omega),
-            };
-            train
-                .shafting
-                .at(load)
-                .power_in(&train.by_stage(&losses))?
-                .si()
-        }
+    let power_in_w = if torque_nm == 0.0 {
+        0.0
+    } else {
+        let load = MeshLoad {
+            torque: torque_of(torque_nm),
+            speed: AngularSpeed::from_si(omega),
+        };
+        train
+            .shafting
+            .at(load)
+            .power_in(&train.by_stage(&losses))?
+            .si()
     };
     let deviations = of_meshes.iter().zip(&counts);
     let square =
@@ -593,9 +598,12 @@ fn extended(evaluated: &EvaluatedMesh, omega: f64, torque_nm: f64, at: f64) -> N
     let count = losses.len() as f64;
     let loss_w = losses.iter().sum::<f64>() / count;
     let pinion_w = torque_nm.abs() * omega;
-    let efficiency_of = |loss: &f64| match torque_nm < 0.0 {
-        true => 1.0 - loss / (pinion_w + loss),
-        false => 1.0 - loss / pinion_w,
+    let efficiency_of = |loss: &f64| {
+        if torque_nm < 0.0 {
+            1.0 - loss / (pinion_w + loss)
+        } else {
+            1.0 - loss / pinion_w
+        }
     };
     let efficiencies: Vec<f64> = losses
         .iter()
@@ -669,7 +677,7 @@ mod tests {
     /// Code of the point at `torque_nm` and 3000 1/min whose losses at 40 N m have a fault.
     fn code(
         train: &Train,
-        whole: &Evaluated,
+        whole: &EvaluatedPoint,
         torque_nm: f64,
         fault: fn(&mut EvaluatedMesh),
     ) -> Option<Code> {
@@ -683,7 +691,7 @@ mod tests {
             torques: [vec![40.0], Vec::new()],
         };
         let node = [torque_nm, 3000.0, 90.0];
-        let (point, _) = point((train, &sides, None), (&computed, &[3000.0]), 0, node);
+        let (point, _) = point(train, &sides, None, &computed, &[3000.0], 0, node);
         assert_eq!(point.numbers.is_none(), point.code.is_some());
         point.code
     }
@@ -700,7 +708,7 @@ mod tests {
         let train = Train::from(case.unwrap());
         let mut found = evaluate(
             &train,
-            (torque, &mut RunInFlanks::new()),
+            (torque, &mut FlanksOfTorques::new()),
             places,
             &|_, _| false,
             &|| (),

@@ -46,7 +46,7 @@ mod surface;
 mod table;
 
 pub use axes::Axes;
-pub(crate) use draws::{Beside, Place};
+pub(crate) use draws::{Beside, MapPlace};
 pub use draws::{Drawn, DrawnNodes, MapBand};
 pub(crate) use efficiency::efficiency;
 pub use grid::map;

@@ -30,7 +30,7 @@ pub(super) const EFFICIENCIES: &str = "efficiency.csv";
 type Levels = fn([&[f64]; 2]) -> Vec<f64>;
 
 /// A quantity over torque and speed.
-struct Quantity {
+struct MapQuantity {
     id: &'static str,
     title: &'static str,
     /// Name of the colour scale, with the unit.
@@ -40,21 +40,21 @@ struct Quantity {
     levels: Levels,
 }
 
-const LOSS: Quantity = Quantity {
+const LOSS: MapQuantity = MapQuantity {
     id: "loss",
     title: "Loss",
     scale: "loss [W]",
     of: |numbers| Some(numbers.loss_w),
     levels: round_levels,
 };
-const EFFICIENCY: Quantity = Quantity {
+const EFFICIENCY: MapQuantity = MapQuantity {
     id: "efficiency",
     title: "Efficiency",
     scale: "efficiency [%]",
     of: |numbers| numbers.efficiency.map(|value| 100.0 * value),
     levels: quantile_levels,
 };
-const HALF_INTERVAL: Quantity = Quantity {
+const HALF_INTERVAL: MapQuantity = MapQuantity {
     id: "interval",
     title: "Half of the interval of the loss over its median",
     scale: "half the width of the 90 % interval [%]",
@@ -65,13 +65,18 @@ const HALF_INTERVAL: Quantity = Quantity {
     levels: round_levels,
 };
 
-impl Quantity {
+impl MapQuantity {
     fn at(&self, point: &Point) -> f64 {
         point.numbers.as_ref().and_then(self.of).unwrap_or(f64::NAN)
     }
 
     /// The quantity of `finish` at a temperature, at the points of the map.
-    fn field(&self, map: &Map, (finish, temperature): Place<'_>, visited: &[[f64; 2]]) -> Contour {
+    fn field(
+        &self,
+        map: &Map,
+        (finish, temperature): FinishPlace<'_>,
+        visited: &[[f64; 2]],
+    ) -> Contour {
         Contour {
             id: id(map, self.id, finish, temperature),
             title: format!("{}, {}", self.title, named(map, finish, temperature)),
@@ -95,10 +100,10 @@ impl Quantity {
 }
 
 /// A finish and the number of a temperature.
-type Place<'a> = (&'a FinishMap, usize);
+type FinishPlace<'a> = (&'a FinishMap, usize);
 
 /// Every finish at the temperatures `drawn`.
-fn each<'a>(map: &'a Map, drawn: &[usize]) -> impl Iterator<Item = Place<'a>> {
+fn each<'a>(map: &'a Map, drawn: &[usize]) -> impl Iterator<Item = FinishPlace<'a>> {
     let finishes = map.finishes.iter();
     finishes.flat_map(|finish| drawn.iter().map(move |temperature| (finish, *temperature)))
 }
@@ -172,7 +177,7 @@ pub(super) fn sections<'a>(
     visited: &'a [[f64; 2]],
 ) -> Report<'a> {
     let fields =
-        |quantity: &'static Quantity| move || quantity.fields(map, &drawn(&map.axes), visited);
+        |quantity: &'static MapQuantity| move || quantity.fields(map, &drawn(&map.axes), visited);
     report
         .section("Differences")
         .markup(|| differences(map, &drawn(&map.axes), visited))
@@ -246,11 +251,11 @@ fn loss_and_efficiency(map: &Map, visited: &[[f64; 2]]) -> Vec<Drawing> {
 }
 
 /// The efficiencies as drawn, with the bands of the points of the map.
-fn efficiencies<'a>(map: &'a Map, visited: &[[f64; 2]]) -> Vec<(Place<'a>, Contour)> {
+fn efficiencies<'a>(map: &'a Map, visited: &[[f64; 2]]) -> Vec<(FinishPlace<'a>, Contour)> {
     let drawn = drawn(&map.axes);
     let fields = each(map, &drawn).map(|place| EFFICIENCY.field(map, place, visited));
     let fields = with_common_levels(fields.collect(), EFFICIENCY.levels);
-    let closer = |(place, field): (Place<'a>, Contour)| {
+    let closer = |(place, field): (FinishPlace<'a>, Contour)| {
         let source = EFFICIENCIES.to_owned();
         (
             place,
@@ -337,9 +342,10 @@ pub(crate) fn are_extrapolated(
 /// Temperatures that are drawn: the lowest, the middle and the highest.
 fn drawn(axes: &Axes) -> Vec<usize> {
     let count = axes.temperature_c.len();
-    match count <= TEMPERATURES {
-        true => (0..count).collect(),
-        false => vec![0, count / 2, count - 1],
+    if count <= TEMPERATURES {
+        (0..count).collect()
+    } else {
+        vec![0, count / 2, count - 1]
     }
 }
 

@@ -208,9 +208,12 @@ impl Numbers {
     pub(super) fn at_median(&self, ratios: Estimate, drives: bool) -> Self {
         let ratio = ratios.value;
         // The other gear takes the loss in addition to what leaves at the pinion.
-        let efficiency = self.efficiency.map(|before| match drives {
-            true => 1.0 - ratio * (1.0 - before),
-            false => before / (before + ratio * (1.0 - before)),
+        let efficiency = self.efficiency.map(|before| {
+            if drives {
+                1.0 - ratio * (1.0 - before)
+            } else {
+                before / (before + ratio * (1.0 - before))
+            }
         });
         let lost = efficiency.zip(self.efficiency);
         let lost = lost.filter(|(_, before)| *before < 1.0);
@@ -335,9 +338,10 @@ impl Map {
 
     /// Shafts at which power enters and leaves, in words.
     pub(crate) fn shafts(&self) -> [&'static str; 2] {
-        match self.finishes.iter().all(|finish| finish.meshes.is_empty()) {
-            true => ["pinion", "wheel"],
-            false => ["input shaft", "output"],
+        if self.finishes.iter().all(|finish| finish.meshes.is_empty()) {
+            ["pinion", "wheel"]
+        } else {
+            ["input shaft", "output"]
         }
     }
 }
@@ -438,9 +442,12 @@ pub fn ranges(at: &[usize]) -> String {
             _ => runs.push([index, index]),
         }
     }
-    let text = runs.iter().map(|&[from, to]| match from == to {
-        true => format!("{}", from + 1),
-        false => format!("{}-{}", from + 1, to + 1),
+    let text = runs.iter().map(|&[from, to]| {
+        if from == to {
+            format!("{}", from + 1)
+        } else {
+            format!("{}-{}", from + 1, to + 1)
+        }
     });
     text.collect::<Vec<_>>().join(",")
 }

@@ -10,7 +10,7 @@ use asperity_table::own::{self, OwnFault};
 use super::axes::Axes;
 use super::draws::DrawnNodes;
 use super::point::{Map, Point};
-use super::table::PointRow;
+use super::table::MapPointRow;
 use asperity::result::SCHEMA_VERSION;
 
 /// Largest size of a file in bytes.
@@ -40,7 +40,7 @@ pub fn read(folder: &Path) -> Result<Map, Fault> {
         )
     };
     let table = whole_file(&path, LARGEST).map_err(|source| not_a_map(&path, source))?;
-    let rows = own::rows::<PointRow<'_>>(&table).map_err(|fault| match fault {
+    let rows = own::rows::<MapPointRow<'_>>(&table).map_err(|fault| match fault {
         OwnFault::NotFinite { row, .. } => misplaced(row),
         source => not_a_map(&path, source),
     })?;

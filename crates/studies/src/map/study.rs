@@ -225,9 +225,10 @@ impl StudySettings for MapSettings {
     fn work(&self, CaseOrFinishes(given): &CaseOrFinishes) -> Result<Option<Work>, Fault> {
         let first = given.first()?;
         let torques = self.axes(first)?.torque_nm.len();
-        let torques = match first.shafting.passes_losses {
-            true => 2 * torques,
-            false => torques.div_ceil(2),
+        let torques = if first.shafting.passes_losses {
+            2 * torques
+        } else {
+            torques.div_ceil(2)
         };
         // Flanks run in once, not at every torque.
         let meshes = first.cases().map(|case| at_torque(case, case.case.torque));

@@ -57,13 +57,12 @@ pub(super) fn verdicts(map: &Map) -> impl Iterator<Item = String> {
         let numbers = point.numbers?;
         let power = power_w(point);
         let loss = numbers.loss_w;
-        let efficiency = match power > 0.0 && loss < power {
-            true => {
-                let digits = percent_digits(&numbers, power);
-                let efficiency = digits.rounded(100.0 * (1.0 - loss / power));
-                format!(" and the efficiency {efficiency} %")
-            }
-            false => String::new(),
+        let efficiency = if power > 0.0 && loss < power {
+            let digits = percent_digits(&numbers, power);
+            let efficiency = digits.rounded(100.0 * (1.0 - loss / power));
+            format!(" and the efficiency {efficiency} %")
+        } else {
+            String::new()
         };
         Some(format!(
             "{} {} W{efficiency}, {}.",

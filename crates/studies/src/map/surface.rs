@@ -56,9 +56,10 @@ impl Surface {
 /// ```
 #[must_use]
 pub fn forwards(torque_nm: f64, speed_rpm: f64) -> [f64; 2] {
-    match speed_rpm < 0.0 {
-        true => [-torque_nm, -speed_rpm],
-        false => [torque_nm, speed_rpm],
+    if speed_rpm < 0.0 {
+        [-torque_nm, -speed_rpm]
+    } else {
+        [torque_nm, speed_rpm]
     }
 }
 
@@ -73,14 +74,12 @@ fn held(nodes: &[f64], torque: f64) -> (f64, f64) {
         torque => torque,
     };
     let is_other_direction = (torque < 0.0 && low >= 0.0) || (torque > 0.0 && high <= 0.0);
-    let torque = match is_other_direction {
-        true => -torque,
-        false => torque,
-    };
+    let torque = if is_other_direction { -torque } else { torque };
     let edge = edge_of(torque);
-    match edge == torque || edge == 0.0 {
-        true => (edge, 1.0),
-        false => (edge, (torque / edge).abs()),
+    if edge == torque || edge == 0.0 {
+        (edge, 1.0)
+    } else {
+        (edge, (torque / edge).abs())
     }
 }
 

@@ -11,7 +11,7 @@ use super::point::{FinishMap, Map, Numbers, Point};
 
 /// Row of a point.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct PointRow<'a> {
+pub(super) struct MapPointRow<'a> {
     torque_nm: f64,
     speed_rpm: f64,
     temperature_c: f64,
@@ -40,7 +40,7 @@ pub(super) struct PointRow<'a> {
 /// Separator between the marks of a point.
 const SEPARATOR: &str = "; ";
 
-impl<'a> PointRow<'a> {
+impl<'a> MapPointRow<'a> {
     fn new(finish: &'a FinishMap, point: &'a Point) -> Self {
         let numbers = point.numbers.as_ref();
         let of = |value: fn(&Numbers) -> f64| numbers.map(value);
@@ -121,7 +121,7 @@ impl<'a> PointRow<'a> {
 pub(super) fn write(map: &Map, file: &Path) -> Result<(), Fault> {
     let rows = map.finishes.iter().flat_map(|finish| {
         let points = finish.points.iter();
-        points.map(move |point| PointRow::new(finish, point))
+        points.map(move |point| MapPointRow::new(finish, point))
     });
     tables::write(file, rows)
 }

@@ -167,7 +167,7 @@ fn measured_points(flank: &FlankWatts) -> impl Iterator<Item = MeasuredRow> {
 
 /// A point of a prepared trace.
 #[derive(Serialize)]
-struct PointRow {
+struct RidgePointRow {
     x_mm: f64,
     height_um: f64,
     /// d(loss)/d(height) per length of the trace.
@@ -176,11 +176,11 @@ struct PointRow {
     loss_w_per_mm: f64,
 }
 
-fn points(flank: &FlankWatts) -> impl Iterator<Item = PointRow> {
+fn points(flank: &FlankWatts) -> impl Iterator<Item = RidgePointRow> {
     let dx = flank.trace.spacing().si();
     let both = flank.trace.heights().iter().zip(&flank.by_height);
     let both = both.zip(flank.watts_per_length()).enumerate();
-    both.map(move |(i, ((z, by_height), watts))| PointRow {
+    both.map(move |(i, ((z, by_height), watts))| RidgePointRow {
         x_mm: 1e3 * dx * i as f64,
         height_um: 1e6 * z,
         loss_w_per_um_mm: 1e-9 * by_height / dx,

@@ -110,25 +110,25 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     progress(3, STEPS);
     checkpoint()?;
     let cases = [&before, &after].map(|found| (&found.case, &found.contacts));
-    let draws = match band {
-        true => ChangeDraws::new(cases)?,
-        false => None,
-    };
+    let draws = if band { ChangeDraws::new(cases)? } else { None };
     progress(4, STEPS);
     checkpoint()?;
     let along = [along_before, along_half, along_after];
     let by_lay = match draws.as_ref().and_then(ChangeDraws::ends_of_lay) {
-        Some(ends) => by_lay((&before, &along[0]), ends, (&traces, &rows))?,
+        Some(ends) => by_lay(&before, &along[0], ends, &traces, &rows)?,
         None => vec![[1.0; 2]; rows.len()],
     };
     progress(STEPS, STEPS);
     let base = (&before.case, &before.losses);
-    let sampled = |by_window: &[f64]| match band {
-        true => sampling_interval(base.0, base.1, by_window),
-        false => None,
+    let sampled = |by_window: &[f64]| {
+        if band {
+            sampling_interval(base.0, base.1, by_window)
+        } else {
+            None
+        }
     };
     let quantiles = |by_window: &[f64], by_lay: [f64; 2]| match &draws {
-        Some(draws) => Some(draws.quantiles(base, by_window, by_lay)),
+        Some(draws) => Some(draws.quantiles(base.0, base.1, by_window, by_lay)),
         None => sampled(by_window),
     };
     let mean = mean_along(along.each_ref().map(Vec::as_slice));
@@ -148,7 +148,7 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
     let measured = measured(&before)?;
     for row in &mut rows {
         row.measured_first_order_w = match &measured[body_of(row)] {
-            Some(flank) => measured_saving(row, &traces, (flank, &before))?,
+            Some(flank) => measured_saving(row, &traces, flank, &before)?,
             None => None,
         };
     }
@@ -162,7 +162,7 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
         sampling_quantiles_w: of_change,
         saving_quantiles_w: draws
             .as_ref()
-            .map(|draws| draws.quantiles(base, &savings, [1.0; 2])),
+            .map(|draws| draws.quantiles(base.0, base.1, &savings, [1.0; 2])),
         by_log_height_w: octaves
             .iter()
             .map(|octave| octave.pinion_w + octave.wheel_w)
@@ -267,7 +267,8 @@ fn measured(gradient: &LossGradient) -> Result<[Option<FlankWatts>; 2], Error> {
 fn measured_saving(
     row: &RidgeRow,
     traces: &[Profile; 2],
-    (measured, gradient): (&FlankWatts, &LossGradient),
+    measured: &FlankWatts,
+    gradient: &LossGradient,
 ) -> Result<Option<f64>, Error> {
     let body = body_of(row);
     let flank = &gradient.case.flanks[body];
@@ -289,9 +290,11 @@ fn measured_saving(
 /// First-order watts of each ridge at both `ends` of the lay over those `before`, which are known at each offset, over the same
 /// ratio of all ridges together.
 fn by_lay(
-    (before, along): (&LossGradient, &[Vec<f64>]),
+    before: &LossGradient,
+    along: &[Vec<f64>],
     ends: [f64; 2],
-    (traces, rows): (&[Profile; 2], &[RidgeRow]),
+    traces: &[Profile; 2],
+    rows: &[RidgeRow],
 ) -> Result<Vec<[f64; 2]>, Error> {
     let (case, contacts) = few_offsets_of(&before.case, &before.contacts)?;
     // A ratio of watts does not depend on the heat balance.
@@ -313,9 +316,10 @@ fn by_lay(
     let all = |watts: &[f64]| watts.iter().sum::<f64>();
     let ratio = |k: usize, end: &[f64]| {
         let whole = offsets as f64 * rows[k].first_order_w;
-        match middle[k] > COVERED * whole {
-            true => end[k] / middle[k] / (all(end) / all(&middle)),
-            false => 1.0,
+        if middle[k] > COVERED * whole {
+            end[k] / middle[k] / (all(end) / all(&middle))
+        } else {
+            1.0
         }
     };
     let both = |k: usize| ends.each_ref().map(|end| ratio(k, end));

@@ -15,17 +15,17 @@ pub(super) struct RunInTrace {
 
 /// Point of such a trace.
 #[derive(Serialize)]
-pub(super) struct PointRow {
+pub(super) struct FlankPointRow {
     x_um: f64,
     z_um: f64,
 }
 
 impl RunInTrace {
     /// The points of its file.
-    pub fn points(&self) -> impl Iterator<Item = PointRow> {
+    pub fn points(&self) -> impl Iterator<Item = FlankPointRow> {
         let dx = self.trace.spacing().si();
         let heights = self.trace.heights().iter().enumerate();
-        heights.map(move |(i, z)| PointRow {
+        heights.map(move |(i, z)| FlankPointRow {
             x_um: 1e6 * dx * i as f64,
             z_um: 1e6 * z,
         })

@@ -62,9 +62,10 @@ fn newton_metres(torque: f64) -> String {
 
 /// A number of engagements in words.
 fn count(engagements: f64) -> String {
-    match engagements < 1e4 {
-        true => decimals(engagements, 0),
-        false => format!("{engagements:.1e}").replace(".0e", "e"),
+    if engagements < 1e4 {
+        decimals(engagements, 0)
+    } else {
+        format!("{engagements:.1e}").replace(".0e", "e")
     }
 }
 
@@ -267,7 +268,7 @@ fn charts(found: &RunningInFound) -> Vec<Drawing> {
         .collect();
     let of_loss = |row: &CourseRow| row.loss_w;
     let losses = found.courses.iter().zip(&names);
-    let losses: Vec<Curve<'_>> = losses
+    let losses: Vec<CourseCurve<'_>> = losses
         .map(|(course, name)| {
             (
                 name.as_str(),
@@ -280,7 +281,7 @@ fn charts(found: &RunningInFound) -> Vec<Drawing> {
     let course = &found.courses[0];
     for (id, title, unit, shown) in SHOWN {
         let chart = Chart::new(id, title, TABLE, axis(), Axis::new(title, unit));
-        let all: Vec<Curve<'_>> = shown
+        let all: Vec<CourseCurve<'_>> = shown
             .iter()
             .map(|(name, of)| (*name, course, of as &dyn Fn(&CourseRow) -> Estimate))
             .collect();
@@ -302,10 +303,10 @@ fn charts(found: &RunningInFound) -> Vec<Drawing> {
 }
 
 /// A curve: its name, its course and its quantity.
-type Curve<'a> = (&'a str, &'a Course, &'a dyn Fn(&CourseRow) -> Estimate);
+type CourseCurve<'a> = (&'a str, &'a Course, &'a dyn Fn(&CourseRow) -> Estimate);
 
 /// Curves from the first engagement on, then their bands.
-fn curves(chart: Chart, curves: &[Curve<'_>]) -> Chart {
+fn curves(chart: Chart, curves: &[CourseCurve<'_>]) -> Chart {
     let rows = |course: &Course| {
         let rows = course.rows.iter().filter(|row| row.engagements >= 1.0);
         rows.copied().collect::<Vec<CourseRow>>()

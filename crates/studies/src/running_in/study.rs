@@ -180,7 +180,7 @@ impl StudySettings for RunningInSettings {
             let case = case.overridden(|over| over.offsets = Some(summary.offsets))?;
             let of_test = test.as_ref().map(|(ratio, _)| *ratio).filter(|_| k == 0);
             let (course, of_course, flanks) =
-                self.course(&case, (&clock, of_test), summary.loss_w, &step)?;
+                self.course(&case, &clock, of_test, summary.loss_w, &step)?;
             if k == 0 {
                 (found.flanks, found.test) =
                     (flanks, of_course.as_ref().map(|tested| self.pair(tested)));
@@ -200,9 +200,10 @@ impl StudySettings for RunningInSettings {
 /// which do not run in.
 fn by_rows(case: LoadedCase) -> Result<LoadedCase, Fault> {
     let is_by_lay = case.case.input.surface.contact.is_none() && case.surfaces.sheets().is_some();
-    match is_by_lay {
-        true => Ok(case.with(|input| input.surface.contact = Some(ContactName::Lines))?),
-        false => Ok(case),
+    if is_by_lay {
+        Ok(case.with(|input| input.surface.contact = Some(ContactName::Lines))?)
+    } else {
+        Ok(case)
     }
 }
 
@@ -304,7 +305,8 @@ impl RunningInSettings {
     fn course(
         &self,
         case: &OperatingCase,
-        (clock, ratio): (&Clock, Option<Estimate>),
+        clock: &Clock,
+        ratio: Option<Estimate>,
         fresh_w: f64,
         step: &(dyn Fn() + Sync),
     ) -> Result<Found, Fault> {
@@ -371,7 +373,7 @@ impl RunningInSettings {
         let rows: Vec<_> = self.counts().map(|n| histories.row(n, &clock)).collect();
         let end = rows[rows.len() - 1];
         let done_engagements = done(&rows);
-        let flanks = self.flanks_at_end(case, (&histories, &plan), &clock)?;
+        let flanks = self.flanks_at_end(case, &histories, &plan, &clock)?;
         let last = histories.worn().last();
         let [most, share] = last.map_or([0.0; 2], |state| [state.worn, state.asperity_share]);
         // Flanks that a film parts do not wear on.
@@ -406,7 +408,8 @@ impl RunningInSettings {
     fn flanks_at_end(
         &self,
         case: &LoadedCase,
-        (histories, plan): (&Histories<'_>, &RunningInPlan),
+        histories: &Histories<'_>,
+        plan: &RunningInPlan,
         clock: &Clock,
     ) -> Result<Vec<RunInTrace>, Fault> {
         if self.engagements > histories.plastic() {

@@ -266,15 +266,17 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
 
 /// A number with `count` significant digits, without trailing zeros.
 fn digits(value: f64, count: usize) -> String {
-    let magnitude = match value == 0.0 {
-        true => 0,
-        false => value.abs().log10().floor() as i32,
+    let magnitude = if value == 0.0 {
+        0
+    } else {
+        value.abs().log10().floor() as i32
     };
     let decimals = (count as i32 - 1 - magnitude).max(0) as usize;
     let text = format!("{value:.decimals$}");
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
     }
 }
 

@@ -89,17 +89,19 @@ fn verdicts(study: &Sensitivity) -> impl Iterator<Item = String> {
 
 /// Names of the groups that no drawing states.
 fn of_uncertain(study: &Sensitivity) -> &'static str {
-    match study.rows.iter().any(|row| row.group == SCANS) {
-        true => "boundary layer, filters and use of the scans",
-        false => "boundary layer and filters",
+    if study.rows.iter().any(|row| row.group == SCANS) {
+        "boundary layer, filters and use of the scans"
+    } else {
+        "boundary layer and filters"
     }
 }
 
 /// The changes that a designer makes, or the others, over one axis; `None` if no one has an effect.
 fn chart(study: &Sensitivity, is_changeable: bool) -> Option<Drawing> {
-    let (id, of) = match is_changeable {
-        true => ("sensitivity", "finish, oil and relief"),
-        false => ("uncertain", of_uncertain(study)),
+    let (id, of) = if is_changeable {
+        ("sensitivity", "finish, oil and relief")
+    } else {
+        ("uncertain", of_uncertain(study))
     };
     let bars = changes(study, is_changeable)
         .into_iter()
@@ -238,9 +240,10 @@ fn change(effect: &Effect) -> String {
 /// The change in percent.
 fn share(effect: &Effect) -> String {
     let whole = (effect.difference_w / effect.change).abs();
-    let half = match whole.is_finite() {
-        true => 100.0 * half_width(effect) / whole,
-        false => 1.0,
+    let half = if whole.is_finite() {
+        100.0 * half_width(effect) / whole
+    } else {
+        1.0
     };
     Digits::of_uncertainty(half).signed(100.0 * effect.change)
 }

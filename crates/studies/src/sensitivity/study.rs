@@ -312,7 +312,7 @@ fn row(change: Change, base: &Base<'_>, tables: &[Contacts]) -> SensitivityRow {
         }
         _ => {
             let losses = run(&case, tables)?;
-            let change = first.map(|drawn| change_of((base.case, drawn), (&case, &losses)));
+            let change = first.map(|drawn| change_of((base.case, drawn), &case, &losses));
             Ok(effect(base, &losses, change.transpose()?))
         }
     });

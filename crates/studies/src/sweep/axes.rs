@@ -25,9 +25,9 @@ struct CrossedAxis {
 
 /// The crossed axes of a study.
 #[derive(Debug, Clone)]
-pub(super) struct Axes(Vec<CrossedAxis>);
+pub(super) struct SweepAxes(Vec<CrossedAxis>);
 
-impl Axes {
+impl SweepAxes {
     pub(super) fn from_input(study: &StudyInput) -> Result<Self, SweepError> {
         Ok(Self(study.axis.iter().map(axis).collect::<Result<_, _>>()?))
     }
@@ -216,9 +216,10 @@ fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<CrossedAxis, Swe
         seen.insert((plain(text), values.collect::<Vec<_>>()))
     };
     let nodes: Vec<(String, Settings)> = nodes.into_iter().filter(is_new).collect();
-    match nodes.is_empty() {
-        true => Err(SweepError::key(&name, "has no values")),
-        false => Ok(CrossedAxis { name, nodes }),
+    if nodes.is_empty() {
+        Err(SweepError::key(&name, "has no values"))
+    } else {
+        Ok(CrossedAxis { name, nodes })
     }
 }
 

@@ -13,7 +13,7 @@ use asperity_table::Table;
 use toml::Value;
 
 use super::amount::{Amount, text_of};
-use super::axes::{Axes, MOST_POINTS};
+use super::axes::{MOST_POINTS, SweepAxes};
 use super::draws::{DIMENSIONS, Draws, LONGEST};
 use super::error::SweepError;
 use super::known_columns::known_columns;
@@ -55,9 +55,10 @@ impl Law {
             Self::Normal([mean, deviation]) => mean + deviation * standard_normal_quantile(u),
             Self::Triangular([a, m, b]) => {
                 let left = (m - a) / (b - a);
-                match u < left {
-                    true => a + (u * (b - a) * (m - a)).sqrt(),
-                    false => b - ((1.0 - u) * (b - a) * (b - m)).sqrt(),
+                if u < left {
+                    a + (u * (b - a) * (m - a)).sqrt()
+                } else {
+                    b - ((1.0 - u) * (b - a) * (b - m)).sqrt()
                 }
             }
         }
@@ -87,7 +88,7 @@ enum Sample {
 /// All cases of a study.
 #[derive(Debug, Clone)]
 pub(super) struct CaseList {
-    axes: Axes,
+    axes: SweepAxes,
     sample: Sample,
 }
 
@@ -116,16 +117,15 @@ impl CaseList {
             .map(|length| length as f64)
             .product::<f64>();
         let cases = cases * list.samples() as f64;
-        match cases <= MOST_CASES {
-            true => {
-                list.check_keys()?;
-                list.check_known(study)?;
-                Ok(list)
-            }
-            false => Err(SweepError::key(
+        if cases <= MOST_CASES {
+            list.check_keys()?;
+            list.check_known(study)?;
+            Ok(list)
+        } else {
+            Err(SweepError::key(
                 "axis",
                 format!("{cases:.0} cases are more than {MOST_CASES:.0}: use fewer values"),
-            )),
+            ))
         }
     }
 
@@ -392,9 +392,10 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
         .collect();
     let rows = table.values(|row| row.numbers());
     let rows = rows.map_err(|fault| refused(format!("{file}:{fault}")))?;
-    match rows.is_empty() {
-        true => Err(SweepError::key("sample.file", "the table has no rows")),
-        false => Ok(Sample::Rows { keys, rows }),
+    if rows.is_empty() {
+        Err(SweepError::key("sample.file", "the table has no rows"))
+    } else {
+        Ok(Sample::Rows { keys, rows })
     }
 }
 

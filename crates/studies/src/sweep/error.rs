@@ -13,12 +13,13 @@ fn with_other_inputs(others: &[PathBuf]) -> String {
         .iter()
         .map(|path| path.display().to_string())
         .collect();
-    match others.is_empty() {
-        true => String::new(),
-        false => format!(
+    if others.is_empty() {
+        String::new()
+    } else {
+        format!(
             "; parts of the study with other inputs (its case, a file that it reads, or another version of the program) are in {}",
             others.join(", ")
-        ),
+        )
     }
 }
 

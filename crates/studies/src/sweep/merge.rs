@@ -12,7 +12,7 @@ use super::columns::InputColumn;
 use super::effects::{Indices, Regressor, effects, sobol_indices};
 use super::error::SweepError;
 use super::merged::{EffectRow, Merged};
-use super::parts::{Rows, header, other_inputs, outputs, read, text_of};
+use super::parts::{CaseRows, header, other_inputs, outputs, read, text_of};
 use super::study::Study;
 use crate::map::ranges;
 
@@ -77,7 +77,7 @@ fn conditions(study: &Study, list: &CaseList) -> String {
 }
 
 /// Number of cases by the codes in the column before that of the error codes.
-fn outside_of(rows: &Rows) -> BTreeMap<String, usize> {
+fn outside_of(rows: &CaseRows) -> BTreeMap<String, usize> {
     let mut counts = BTreeMap::new();
     let cells = rows.values().filter_map(|row| row.iter().rev().nth(1));
     for code in cells.flat_map(|cell| cell.split_whitespace()) {
@@ -94,7 +94,7 @@ fn first_output(list: &CaseList) -> usize {
     BEFORE + list.columns().len()
 }
 
-fn inputs_of(list: &CaseList, rows: &Rows) -> Vec<InputColumn> {
+fn inputs_of(list: &CaseList, rows: &CaseRows) -> Vec<InputColumn> {
     let names = list.columns().into_iter().enumerate();
     let column = |(at, name)| {
         let cells = rows
@@ -109,7 +109,7 @@ fn inputs_of(list: &CaseList, rows: &Rows) -> Vec<InputColumn> {
 fn table(
     study: &Study,
     list: &CaseList,
-    rows: &Rows,
+    rows: &CaseRows,
     inputs: &[InputColumn],
     folder: &Path,
 ) -> Result<Vec<u8>, SweepError> {
@@ -128,7 +128,7 @@ fn table(
 }
 
 /// The results with their values in every case.
-fn values_of(study: &Study, rows: &Rows, first: usize) -> Vec<(String, Vec<f64>)> {
+fn values_of(study: &Study, rows: &CaseRows, first: usize) -> Vec<(String, Vec<f64>)> {
     let number = |row: &Vec<String>, column: usize| {
         let cell = row.get(column).and_then(|cell| cell.parse().ok());
         cell.unwrap_or(f64::NAN)
@@ -143,7 +143,7 @@ fn values_of(study: &Study, rows: &Rows, first: usize) -> Vec<(String, Vec<f64>)
 }
 
 /// Mean of a result over the axes at each point of the sample; `None` if one of its cases has no result.
-fn over_axes(list: &CaseList, rows: &Rows, column: usize) -> Vec<Option<f64>> {
+fn over_axes(list: &CaseList, rows: &CaseRows, column: usize) -> Vec<Option<f64>> {
     let (samples, axes) = (list.samples(), list.per_sample());
     let mean = |point: usize| {
         let cells =
@@ -157,7 +157,7 @@ fn over_axes(list: &CaseList, rows: &Rows, column: usize) -> Vec<Option<f64>> {
 fn effects_of(
     study: &Study,
     list: &CaseList,
-    rows: &Rows,
+    rows: &CaseRows,
     inputs: &[InputColumn],
 ) -> Vec<EffectRow> {
     let first = first_output(list);

@@ -15,7 +15,7 @@ use super::study::{LARGEST_TABLE, Study};
 use crate::map::ranges;
 
 /// Rows by the numbers of their cases: the cells of a row as text.
-pub(super) type Rows = BTreeMap<usize, Vec<String>>;
+pub(super) type CaseRows = BTreeMap<usize, Vec<String>>;
 
 /// Progress of a study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -120,8 +120,9 @@ pub(super) fn text_of(
 pub(super) fn close(
     study: &Study,
     list: &CaseList,
-    (shard, shards): (usize, usize),
-    rows: &mut Rows,
+    shard: usize,
+    shards: usize,
+    rows: &mut CaseRows,
     folder: &Path,
 ) -> Result<(), SweepError> {
     let Some(first) = rows.keys().next().copied() else {
@@ -195,12 +196,12 @@ pub(super) fn read(
     study: &Study,
     list: &CaseList,
     folder: &Path,
-) -> Result<(Rows, usize), SweepError> {
+) -> Result<(CaseRows, usize), SweepError> {
     let files = files_in(&folder_of_parts(study, folder));
     let expected = (header(study, list), list.count());
-    let mut rows = Rows::new();
+    let mut rows = CaseRows::new();
     for path in &files {
-        read_part(path, study, &expected, &mut rows)?;
+        read_part(path, study, &expected.0, expected.1, &mut rows)?;
     }
     Ok((rows, files.len()))
 }
@@ -208,8 +209,9 @@ pub(super) fn read(
 fn read_part(
     path: &Path,
     study: &Study,
-    (expected, count): &(Vec<String>, usize),
-    rows: &mut Rows,
+    expected: &[String],
+    count: usize,
+    rows: &mut CaseRows,
 ) -> Result<(), SweepError> {
     let refused = |reason: String| SweepError::Part {
         path: path.to_owned(),
@@ -238,11 +240,14 @@ fn read_part(
     }
     let lines = asperity_table::own::cells(table).map_err(|source| refused(source.to_string()))?;
     let mut lines = lines.into_iter();
-    if lines.next().as_ref() != Some(expected) {
+    if lines.next().as_deref() != Some(expected) {
         return Err(refused("it has other columns".to_owned()));
     }
     for cells in lines {
-        let number = cells[0].parse().ok().filter(|number| number < count);
+        let number = cells[0]
+            .parse()
+            .ok()
+            .filter(|number: &usize| *number < count);
         let number = number.ok_or_else(|| refused(format!("there is no case {}", cells[0])))?;
         match rows.get(&number) {
             Some(other) if *other != cells => {

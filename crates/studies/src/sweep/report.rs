@@ -50,9 +50,10 @@ impl StudyResult for Merged {
         let has_indices = self.effects.iter().any(|row| row.indices.is_some());
         let outside = self.outside.iter().map(|(code, count)| {
             let title = explain(code).map_or("", |entry| entry.title);
-            let count = match *count == self.cases {
-                true => format!("all {count}"),
-                false => count.to_string(),
+            let count = if *count == self.cases {
+                format!("all {count}")
+            } else {
+                count.to_string()
             };
             format!("{code} in {count} cases: {title}. A run of a case has the details.")
         });
@@ -63,10 +64,7 @@ impl StudyResult for Merged {
         let has_watts = self.outputs.iter().any(|(name, _)| name.ends_with("_w"));
         let charts = axes(self);
         let is_drawn = self.ends(LOSS).is_some();
-        let over_axes = match is_drawn {
-            true => OVER_AXES_DRAWN,
-            false => OVER_AXES,
-        };
+        let over_axes = if is_drawn { OVER_AXES_DRAWN } else { OVER_AXES };
         let over_axes = (!charts.is_empty()).then_some(over_axes);
         let mut bars = charts.iter();
         let in_bars = bars.any(|chart| matches!(chart, Drawing::Tornado(_)));
@@ -145,8 +143,10 @@ fn axes(merged: &Merged) -> Vec<Drawing> {
     let is_end = |name: &str| ENDS.contains(&name) && merged.ends(LOSS).is_some();
     let outputs = merged.outputs.iter().filter(|(name, _)| !is_end(name));
     let of = |(name, values): &(String, Vec<f64>)| {
-        let drawn = (&values[..], merged.ends(name));
-        let over_axes = axes.iter().filter_map(|axis| over(axis, name, drawn));
+        let ends = merged.ends(name);
+        let over_axes = axes
+            .iter()
+            .filter_map(|axis| over(axis, name, values, ends));
         over_axes.collect::<Vec<Drawing>>()
     };
     outputs.flat_map(of).collect()
@@ -157,7 +157,8 @@ fn axes(merged: &Merged) -> Vec<Drawing> {
 fn over(
     axis: &InputColumn,
     name: &str,
-    (values, ends): (&[f64], Option<[&[f64]; 2]>),
+    values: &[f64],
+    ends: Option<[&[f64]; 2]>,
 ) -> Option<Drawing> {
     let output = Output::from_name(name);
     let id = format!("{name}-over-{}", axis.name.replace(['.', ' '], "-"));

@@ -18,7 +18,7 @@ use serde_json::Value;
 use super::case_list::{CaseInputs, CaseList, resolved};
 use super::error::SweepError;
 use super::known_columns::{DRAWN, is_drawn, needs_draws, numbers_of};
-use super::parts::{Rows, close, make_folder_of_parts, outputs, read};
+use super::parts::{CaseRows, close, make_folder_of_parts, outputs, read};
 use super::refused::{Refused, checked, refusals};
 use super::study::Study;
 use super::study_input::Detail;
@@ -114,7 +114,7 @@ pub fn run(
         of,
     });
     let shared = SharedContacts::default();
-    let (mut rows, mut opened) = (Rows::new(), Instant::now());
+    let (mut rows, mut opened) = (CaseRows::new(), Instant::now());
     let mut finished = 0;
     for numbers in pending.chunks(AT_ONCE) {
         // An error ends the shard; the rows finished before it are written.
@@ -134,12 +134,12 @@ pub fn run(
         });
         let is_full = rows.len() >= CASES_OF_A_PART || opened.elapsed() >= TIME_OF_A_PART;
         if is_full || ended.is_err() {
-            close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
+            close(study, &list, shard.number, shard.of, &mut rows, folder)?;
             opened = Instant::now();
         }
         ended?;
     }
-    close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
+    close(study, &list, shard.number, shard.of, &mut rows, folder)?;
     Ok(finished)
 }
 
@@ -176,7 +176,7 @@ pub(super) fn rows_of(
     };
     let names = outputs(study);
     let row = |(number, inputs, case)| {
-        let row = row(study, (number, inputs, case), &names, &store);
+        let row = row(study, number, inputs, case, &names, &store);
         checkpoint().map_err(Error::from)?;
         Ok(row)
     };
@@ -192,7 +192,9 @@ fn uses_store(study: &Study, train: &Train) -> bool {
 /// The row of a case, or its code where it cannot be resolved.
 fn row(
     study: &Study,
-    (number, inputs, case): (usize, CaseInputs, Result<(Train, String), Code>),
+    number: usize,
+    inputs: CaseInputs,
+    case: Result<(Train, String), Code>,
     names: &[String],
     store: &ContactStore,
 ) -> Vec<String> {
@@ -241,28 +243,24 @@ fn result(
         let codes = warnings.iter().map(|warning| warning.code);
         codes.collect::<BTreeSet<Code>>()
     };
-    let (found, summaries, mut outside) = match with_contacts {
-        true => {
-            let run = Run::new(case).pictures(Kept::NoPictures);
-            let found = run.interval(with_draws).execute()?;
-            let meshes = found.meshes.into_iter().map(|mesh| mesh.result);
-            let (summaries, outside): (Vec<_>, Vec<_>) = meshes
-                .map(|mesh| (mesh.summary, codes(&mesh.warnings)))
-                .unzip();
-            let outside: BTreeSet<Code> = outside.into_iter().flatten().collect();
-            (found.whole, summaries, outside)
-        }
-        false => {
-            let contacts: Vec<Arc<Contacts>> =
-                case.cases().filter_map(|mesh| store.of(mesh)).collect();
-            let run = Run::new(case).interval(with_draws);
-            let found = run.known(contacts.iter().map(AsRef::as_ref)).losses()?;
-            let warnings = found.meshes.iter().flat_map(|mesh| codes(&mesh.warnings));
-            let (outside, whole) = (warnings.collect(), found.whole()?);
-            let summaries = found.meshes.into_iter().map(|mesh| mesh.summary);
-            let (found, summaries) = (whole, summaries.collect::<Vec<_>>());
-            (found, summaries, outside)
-        }
+    let (found, summaries, mut outside) = if with_contacts {
+        let run = Run::new(case).pictures(Kept::NoPictures);
+        let found = run.interval(with_draws).execute()?;
+        let meshes = found.meshes.into_iter().map(|mesh| mesh.result);
+        let (summaries, outside): (Vec<_>, Vec<_>) = meshes
+            .map(|mesh| (mesh.summary, codes(&mesh.warnings)))
+            .unzip();
+        let outside: BTreeSet<Code> = outside.into_iter().flatten().collect();
+        (found.whole, summaries, outside)
+    } else {
+        let contacts: Vec<Arc<Contacts>> = case.cases().filter_map(|mesh| store.of(mesh)).collect();
+        let run = Run::new(case).interval(with_draws);
+        let found = run.known(contacts.iter().map(AsRef::as_ref)).losses()?;
+        let warnings = found.meshes.iter().flat_map(|mesh| codes(&mesh.warnings));
+        let (outside, whole) = (warnings.collect(), found.whole()?);
+        let summaries = found.meshes.into_iter().map(|mesh| mesh.summary);
+        let (found, summaries) = (whole, summaries.collect::<Vec<_>>());
+        (found, summaries, outside)
     };
     let mut parts = found.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
     if parts.any(|part| !part.outside.is_empty()) {

@@ -6,7 +6,7 @@ use asperity::case::{FileSums, Train};
 use asperity::fingerprint::Fingerprint;
 use asperity_storage::{whole_file, whole_text};
 
-use super::axes::Axes;
+use super::axes::SweepAxes;
 use super::error::{SweepError, unopened};
 use super::study_input::StudyInput;
 
@@ -30,7 +30,7 @@ pub struct Study {
     pub hash: String,
     /// Folder of the study.
     pub folder: PathBuf,
-    pub(super) axes: Axes,
+    pub(super) axes: SweepAxes,
     /// Table of the sample, if it is a list.
     pub(super) table: Option<Vec<u8>>,
     /// Hashes of the files that any case of the study reads.
@@ -57,7 +57,7 @@ impl Study {
         let case = case_of(&folder.join(case_file), input.mesh.as_deref())?;
         let stem = file.file_stem().unwrap_or_default();
         let name = stem.to_string_lossy().into_owned();
-        Self::new(input, &text.replace('\r', ""), case, (name, folder))
+        Self::new(input, &text.replace('\r', ""), case, name, folder)
     }
 
     /// Makes a study of `case` with the other keys of a study file, as the text of a JSON object; files that it names are
@@ -72,15 +72,16 @@ impl Study {
             let place = format!(" at line {} column {}", error.line(), error.column());
             SweepError::key(IN_MEMORY, message.strip_suffix(&place).unwrap_or(&message))
         })?;
-        let name = (IN_MEMORY.to_owned(), folder.to_owned());
-        Self::new(input, text, case.into(), name)
+        let (name, folder) = (IN_MEMORY.to_owned(), folder.to_owned());
+        Self::new(input, text, case.into(), name, folder)
     }
 
     fn new(
         input: StudyInput,
         text: &str,
         case: Train,
-        (name, folder): (String, PathBuf),
+        name: String,
+        folder: PathBuf,
     ) -> Result<Self, SweepError> {
         let table = match input
             .sample
@@ -94,7 +95,7 @@ impl Study {
                 Some(bytes.map_err(|source| unopened(&path, source))?)
             }
         };
-        let axes = Axes::from_input(&input)?;
+        let axes = SweepAxes::from_input(&input)?;
         let sums = axes.files(&case);
         let mut hash = Fingerprint::default()
             .with(text)

@@ -46,14 +46,14 @@ pub(super) struct AxisInput {
     pub to: Option<Value>,
     pub count: Option<usize>,
     pub spacing: Option<Spacing>,
-    pub choice: Option<Choices>,
+    pub choice: Option<AxisChoices>,
 }
 
 /// Settings of named choices, in the order of their text.
 #[derive(Debug, Clone)]
-pub(super) struct Choices(pub Vec<(String, BTreeMap<String, Value>)>);
+pub(super) struct AxisChoices(pub Vec<(String, BTreeMap<String, Value>)>);
 
-impl<'de> Deserialize<'de> for Choices {
+impl<'de> Deserialize<'de> for AxisChoices {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         from.deserialize_map(InOrder)
     }
@@ -62,18 +62,18 @@ impl<'de> Deserialize<'de> for Choices {
 struct InOrder;
 
 impl<'de> Visitor<'de> for InOrder {
-    type Value = Choices;
+    type Value = AxisChoices;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("tables of keys by the names of choices")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Choices, A::Error> {
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<AxisChoices, A::Error> {
         let mut found = Vec::new();
         while let Some(choice) = map.next_entry()? {
             found.push(choice);
         }
-        Ok(Choices(found))
+        Ok(AxisChoices(found))
     }
 }
 
@@ -96,7 +96,7 @@ impl StudyInput {
         let mut input: Self = toml::from_str(text)?;
         let places: Places = toml::from_str(text)?;
         for (axis, places) in input.axis.iter_mut().zip(&places.axis) {
-            if let Some(Choices(choices)) = &mut axis.choice {
+            if let Some(AxisChoices(choices)) = &mut axis.choice {
                 choices.sort_by_key(|(name, _)| places.choice.get(name).map(|at| at.span().start));
             }
         }
@@ -172,7 +172,7 @@ pub(super) enum Distribution {
 
 #[cfg(test)]
 mod tests {
-    use super::{Choices, StudyInput};
+    use super::{AxisChoices, StudyInput};
 
     #[test]
     fn choices_stay_in_the_order_of_the_text() -> Result<(), Box<dyn std::error::Error>> {
@@ -187,7 +187,7 @@ mod tests {
             serde_json::from_str(json)?,
         ] {
             let last = study.axis.last().and_then(|axis| axis.choice.as_ref());
-            let Some(Choices(choices)) = last else {
+            let Some(AxisChoices(choices)) = last else {
                 return Err("no choices".into());
             };
             let names: Vec<_> = choices.iter().map(|(name, _)| name.as_str()).collect();

@@ -59,9 +59,10 @@ impl Output {
     /// A value of the column with four digits and the unit.
     pub(super) fn text(&self, value: f64) -> String {
         let value = self.factor * value;
-        let digits = match value == 0.0 {
-            true => 0,
-            false => (3 - value.abs().log10().floor() as i32).clamp(0, 6) as usize,
+        let digits = if value == 0.0 {
+            0
+        } else {
+            (3 - value.abs().log10().floor() as i32).clamp(0, 6) as usize
         };
         format!("{value:.digits$} {}", self.unit)
             .trim_end()
@@ -119,9 +120,10 @@ pub(super) fn table(merged: &Merged) -> Table {
         file total_low = Cell::optional(row.indices.map(|of| of.total.low));
         file total_high = Cell::optional(row.indices.map(|of| of.total.high));
     };
-    let indices = match merged.effects.iter().any(|row| row.indices.is_some()) {
-        true => indices,
-        false => indices.unshown_of(&["first index", "total index"]),
+    let indices = if merged.effects.iter().any(|row| row.indices.is_some()) {
+        indices
+    } else {
+        indices.unshown_of(&["first index", "total index"])
     };
     table
         .with(indices)

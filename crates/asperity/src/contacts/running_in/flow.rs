@@ -21,7 +21,7 @@ use asperity_case::error::PositionError;
 const AT_ONCE: usize = 8;
 
 /// Tracks whose flanks flow.
-pub(crate) struct Flow<'a> {
+pub(crate) struct RunInFlow<'a> {
     case: &'a Case,
     tracks: Vec<Track<'a>>,
     /// Contacts made on each track.
@@ -32,7 +32,7 @@ pub(crate) struct Flow<'a> {
     shares: [f64; 2],
 }
 
-impl<'a> Flow<'a> {
+impl<'a> RunInFlow<'a> {
     /// Flanks of a case that flow at `limit`.
     pub fn new(
         case: &'a Case,
@@ -74,7 +74,7 @@ impl<'a> Flow<'a> {
                 let passes = apart(track, *made, until);
                 let solve = |(solver, pass): (&mut Solver, &Pass)| {
                     let load = track.positions[pass.position].load;
-                    track.press((solver, self.case), pass, (load, None), self.limit)
+                    track.press(solver, self.case, pass, load, None, self.limit)
                 };
                 let solved = par_map((solvers.as_mut_slice(), &passes), solve);
                 for (pass, contact) in passes.iter().zip(solved) {

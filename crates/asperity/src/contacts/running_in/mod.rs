@@ -35,7 +35,7 @@ use asperity_case::case::{Case, RunningInPlan};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Surfaces;
 
-pub(crate) use flow::Flow;
+pub(crate) use flow::RunInFlow;
 pub(crate) use track::Track;
 pub(crate) use wear::{WearRates, rates};
 
@@ -93,7 +93,7 @@ pub fn run_in(
     let [_, limit, _] = limits(case)?;
     let positions = Mesh::at_torque(case, plan.torque)?.positions;
     let tracks = tracks(case, measured, &positions)?;
-    let mut flow = Flow::new(case, tracks, limit)?;
+    let mut flow = RunInFlow::new(case, tracks, limit)?;
     let (steps, is_settled) = plastic(&mut flow, plan.engagements, |steps, _| {
         done(steps.len());
         Ok::<_, Box<PositionError>>(())
@@ -111,7 +111,7 @@ pub fn run_in(
 
 /// The plastic stage, with `each` called after each doubling; whether it settled.
 pub(crate) fn plastic<E: From<Box<PositionError>>>(
-    flow: &mut Flow<'_>,
+    flow: &mut RunInFlow<'_>,
     engagements: Option<f64>,
     mut each: impl FnMut(&[RunInStep], &[Track<'_>]) -> Result<(), E>,
 ) -> Result<(Vec<RunInStep>, bool), E> {
@@ -167,9 +167,10 @@ pub(crate) fn tracks<'a>(
     let found = zones.map(|zone| Track::new(case, measured, zone, positions));
     let found = found.collect::<Result<Vec<_>, _>>()?;
     // A zone without contacts keeps its traces.
-    match found.iter().all(Option::is_some) {
-        true => Ok(found.into_iter().flatten().collect()),
-        false => Err(PositionError::no_profile()),
+    if found.iter().all(Option::is_some) {
+        Ok(found.into_iter().flatten().collect())
+    } else {
+        Err(PositionError::no_profile())
     }
 }
 

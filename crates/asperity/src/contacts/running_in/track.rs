@@ -176,7 +176,7 @@ impl<'a> Track<'a> {
         let found = [0, 1].map(|body: usize| {
             let (tooth, start) = self.gears[body].at(places[body]);
             let of = &self.gears[body].all[tooth];
-            let start = match of.middle((&self.positions, self.spacing), body, place) {
+            let start = match of.middle(&self.positions, self.spacing, body, place) {
                 Some(middle) => middle.round() as isize - half,
                 None => start as isize,
             };
@@ -208,9 +208,11 @@ impl<'a> Track<'a> {
     /// When the contact has no solution.
     pub fn press(
         &self,
-        (solver, case): (&mut Solver, &Case),
+        solver: &mut Solver,
+        case: &Case,
         pass: &Pass,
-        (load, film): (LineLoad, Option<&[f64]>),
+        load: LineLoad,
+        film: Option<&[f64]>,
         limit: Pressure,
     ) -> Result<ContactSolution, PositionError> {
         let line = self.positions[pass.position].line_contact(case.modulus, case.materials);
@@ -373,7 +375,8 @@ impl Tooth {
     /// Middle of the contact on a trace whose place is known, at a part of the positions counted in positions.
     fn middle(
         &self,
-        (positions, spacing): (&[&MeshPosition], Length),
+        positions: &[&MeshPosition],
+        spacing: Length,
         body: usize,
         place: f64,
     ) -> Option<f64> {
@@ -392,7 +395,7 @@ impl Tooth {
     /// Points that contacts pass: all of a periodic trace, the active ones of a trace whose place is known.
     fn way(&self, on: (&[&MeshPosition], Length), body: usize) -> f64 {
         let end = on.0.len() as f64;
-        let ends = [0.0, end].map(|place| self.middle(on, body, place));
+        let ends = [0.0, end].map(|place| self.middle(on.0, on.1, body, place));
         match ends {
             [Some(first), Some(last)] if on.0.len() > 1 => (last - first).abs(),
             _ => self.heights.len() as f64,
@@ -547,7 +550,7 @@ mod tests {
             let load = LineLoad::from_si(factor * track.positions[pass.position].load.si());
             let mut press = |track: &Track<'_>| {
                 track
-                    .press((&mut solver, &case.case), &pass, (load, None), limit)
+                    .press(&mut solver, &case.case, &pass, load, None, limit)
                     .unwrap()
             };
             let once = press(&track).plastic_displacement;

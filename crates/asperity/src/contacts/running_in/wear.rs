@@ -41,7 +41,8 @@ pub(crate) type WearRates = [Vec<Vec<f64>>; 2];
 /// # Errors
 /// When a contact has no solution.
 pub(crate) fn rates(
-    (case, limit): (&Case, Pressure),
+    case: &Case,
+    limit: Pressure,
     track: &Track<'_>,
     shares: &[f64],
     from: usize,
@@ -57,7 +58,7 @@ pub(crate) fn rates(
         let places: Vec<f64> = track.places().collect();
         let film = at.hertz_pressure(&places, 1.0 - share)?;
         let load = LineLoad::from_si(share * at.load.si());
-        let contact = track.press((solver, case), pass, (load, Some(&film)), limit)?;
+        let contact = track.press(solver, case, pass, load, Some(&film), limit)?;
         Ok(Some(contact.pressure))
     };
     let solver = || Solver::new(track.points, Boundary::FreeEnds);
@@ -114,7 +115,7 @@ mod tests {
         let [_, limit, _] = limits(&case).unwrap();
         let wear = |share: f64| {
             let shares = vec![share; track.positions.len()];
-            rates((&case, limit), &track, &shares, 0).unwrap().0
+            rates(&case, limit, &track, &shares, 0).unwrap().0
         };
         let (whole, half) = (wear(1.0), wear(0.5));
         for body in 0..2 {

@@ -7,8 +7,8 @@
 use std::collections::HashMap;
 
 use super::bytes::text;
-use super::raw::{Layout, Missing, Number, Raw};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Missing, Raw, RawNumber};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -37,7 +37,7 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     };
     let (columns, rows) = (whole("Cols")?, whole("Rows")?);
     let first = whole("DepthImageOffset")?;
-    let row = columns.checked_mul(Number::F32.width());
+    let row = columns.checked_mul(RawNumber::F32.width());
     let row = row.and_then(|row| row.checked_next_multiple_of(ALIGNED));
     let row = row.and_then(|row| i64::try_from(row).ok());
     let layout = row.map(|row| Layout {
@@ -47,7 +47,7 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
         steps: [4, row],
     });
     let title = tags.get("CreatingApplication").cloned();
-    let raw = layout.and_then(|layout| Raw::new(bytes, Number::F32, layout));
+    let raw = layout.and_then(|layout| Raw::new(bytes, RawNumber::F32, layout));
     let mut raw = raw.ok_or_else(|| fault("the depth image is shorter than its size", ""))?;
     // The mark is a float; as a double its text is a little larger or smaller.
     let mark = stated("InvalidPixelValue").unwrap_or(INVALID) as f32;
@@ -58,7 +58,7 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     }));
     let spacing = |name| stated(name).unwrap_or(f64::NAN);
     let spacings = [spacing("PixelSizeXMeter"), spacing("PixelSizeYMeter")];
-    let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(spacings[0], spacings[1]);
+    let mut found = Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(spacings[0], spacings[1]);
     found.metadata.instrument = title.as_deref().and_then(short);
     Ok(found)
 }

@@ -3,7 +3,7 @@
 use encoding_rs::WINDOWS_1252;
 
 /// A number of fixed width.
-pub(crate) trait Plain: Sized {
+pub(crate) trait PlainBytes: Sized {
     /// Number of bytes.
     const WIDTH: usize;
     fn little(bytes: &[u8]) -> Option<Self>;
@@ -12,7 +12,7 @@ pub(crate) trait Plain: Sized {
 
 macro_rules! plain {
     ($($type:ty),+) => {$(
-        impl Plain for $type {
+        impl PlainBytes for $type {
             const WIDTH: usize = size_of::<$type>();
             fn little(bytes: &[u8]) -> Option<Self> {
                 bytes.try_into().ok().map(<$type>::from_le_bytes)
@@ -32,12 +32,12 @@ pub(super) fn part(bytes: &[u8], at: usize, length: usize) -> Option<&[u8]> {
 }
 
 /// The number at `at`, low byte first.
-pub(crate) fn little<T: Plain>(bytes: &[u8], at: usize) -> Option<T> {
+pub(crate) fn little<T: PlainBytes>(bytes: &[u8], at: usize) -> Option<T> {
     T::little(part(bytes, at, T::WIDTH)?)
 }
 
 /// The number at `at`, high byte first.
-pub(super) fn big<T: Plain>(bytes: &[u8], at: usize) -> Option<T> {
+pub(super) fn big<T: PlainBytes>(bytes: &[u8], at: usize) -> Option<T> {
     T::big(part(bytes, at, T::WIDTH)?)
 }
 
@@ -60,7 +60,7 @@ pub(super) struct Cursor<'a> {
 
 impl<'a> Cursor<'a> {
     /// The next number, low byte first.
-    pub(super) fn number<T: Plain>(&mut self) -> Option<T> {
+    pub(super) fn number<T: PlainBytes>(&mut self) -> Option<T> {
         T::little(self.take(T::WIDTH)?)
     }
 

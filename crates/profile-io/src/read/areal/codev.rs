@@ -3,7 +3,7 @@
 //! Layout as its public reader states it (Gwyddion codevfile.c). A height is number · wavelength \[µm\] / scale, for a surface and
 //! a wavefront. The file has no width of a pixel.
 
-use super::trace::{Areal, Heights};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::{damaged, miscounted};
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -46,16 +46,19 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     let (wavelength, size) = scale.ok_or_else(broken)?;
     let mark = after("NDA", 1).unwrap_or(MISSING);
     let numbers = lines.flat_map(str::split_whitespace).map_while(number);
-    let height = |value: f64| match value == mark {
-        true => f64::NAN,
-        false => value * wavelength / size / 1e6,
+    let height = |value: f64| {
+        if value == mark {
+            f64::NAN
+        } else {
+            value * wavelength / size / 1e6
+        }
     };
     let values: Vec<f64> = numbers.map(height).collect();
     if !(columns >= 1.0 && columns * rows == values.len() as f64) {
         return Err(miscounted(FORMAT, values.len(), columns * rows));
     }
     let columns = columns as usize;
-    let mut found = Areal::new(FORMAT, Heights::Values { values, columns });
+    let mut found = Areal::new(FORMAT, ArealHeights::Values { values, columns });
     found.metadata.title = title;
     Ok(found)
 }

@@ -4,8 +4,8 @@
 
 use std::collections::BTreeMap;
 
-use super::raw::{Layout, Number, Raw};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Raw, RawNumber};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -36,10 +36,10 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     };
     let (dx, dy) = (spacing("XReal", columns), spacing("YReal", rows));
     let title = values.get("Title").and_then(|title| short(title));
-    let layout = Layout::packed((end / 4 + 1) * 4, columns, rows, Number::F32);
-    let raw = Raw::new(bytes, Number::F32, layout);
+    let layout = Layout::packed((end / 4 + 1) * 4, columns, rows, RawNumber::F32);
+    let raw = Raw::new(bytes, RawNumber::F32, layout);
     let raw = raw.ok_or_else(|| damaged(FORMAT, "the heights are cut off", ""))?;
-    let mut found = Areal::in_own_unit(FORMAT, Heights::Raw(raw), heights).spaced(dx, dy);
+    let mut found = Areal::in_own_unit(FORMAT, ArealHeights::Raw(raw), heights).spaced(dx, dy);
     found.metadata.title = title;
     Ok(found)
 }

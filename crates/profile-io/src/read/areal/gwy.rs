@@ -6,8 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use super::bytes::{Cursor, Plain};
-use super::trace::{Areal, Heights};
+use super::bytes::{Cursor, PlainBytes};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -62,10 +62,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     for number in order {
         fields.push((number, items_of(surfaces[&number]).ok_or_else(broken)?));
     }
-    let has_length = |field: &Items<'_>| unit(field, "si_unit_z").is_some();
+    let has_length = |field: &GwyItems<'_>| unit(field, "si_unit_z").is_some();
     let has_none =
-        |field: &Items<'_>| unit_text(field, "si_unit_z").is_none_or(|unit| unit.is_empty());
-    let first = |is: &dyn Fn(&Items<'_>) -> bool| fields.iter().position(|(_, field)| is(field));
+        |field: &GwyItems<'_>| unit_text(field, "si_unit_z").is_none_or(|unit| unit.is_empty());
+    let first = |is: &dyn Fn(&GwyItems<'_>) -> bool| fields.iter().position(|(_, field)| is(field));
     if let Some(at) = first(&has_length).or_else(|| first(&has_none)) {
         let (number, field) = &fields[at];
         let (number, unit) = (*number, unit(field, "si_unit_z"));
@@ -92,7 +92,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
             _ => f64::NAN,
         };
         let (dx, dy) = (spacing("xreal", columns), spacing("yreal", rows));
-        let heights = Heights::Values {
+        let heights = ArealHeights::Values {
             values: values.collect(),
             columns,
         };
@@ -107,15 +107,15 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
 }
 
 /// Items by name.
-type Items<'a> = BTreeMap<String, Value<'a>>;
+type GwyItems<'a> = BTreeMap<String, Value<'a>>;
 
 /// A unit of length of a surface.
-fn unit(field: &Items<'_>, name: &str) -> Option<LengthUnit> {
+fn unit(field: &GwyItems<'_>, name: &str) -> Option<LengthUnit> {
     header::unit(&unit_text(field, name)?)
 }
 
 /// The text of a unit of a surface.
-fn unit_text(field: &Items<'_>, name: &str) -> Option<String> {
+fn unit_text(field: &GwyItems<'_>, name: &str) -> Option<String> {
     let Some(Value::Object(_, content)) = field.get(name) else {
         return None;
     };
@@ -141,7 +141,7 @@ fn name(cursor: &mut Cursor<'_>) -> Option<String> {
 }
 
 /// The items of an object; `None` if one is damaged.
-fn items_of(bytes: &[u8]) -> Option<Items<'_>> {
+fn items_of(bytes: &[u8]) -> Option<GwyItems<'_>> {
     let mut cursor = Cursor { bytes, at: 0 };
     let mut items = BTreeMap::new();
     while cursor.at < bytes.len() {

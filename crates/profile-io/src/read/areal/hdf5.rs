@@ -13,10 +13,10 @@ use hdf5_reader::group::Group;
 use hdf5_reader::messages::datatype::Datatype;
 use hdf5_reader::{Attribute, Dataset, Hdf5File, OpenOptions};
 
-use super::bytes::{Plain, part};
+use super::bytes::{PlainBytes, part};
 use super::chosen::chosen;
 use super::held::most_unpacked;
-use super::trace::{Areal, Heights};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -59,7 +59,7 @@ pub(super) fn arrays(bytes: &[u8], format: Format) -> Result<Areal, ReadFault> {
         }
         false => (values, columns),
     };
-    let numbers = Lengths::Numbers(Heights::Values { values, columns }, None);
+    let numbers = Lengths::Numbers(ArealHeights::Values { values, columns }, None);
     let mut found = Areal::from_heights(format, numbers);
     let last = name.rsplit('/').next().unwrap_or_default();
     found
@@ -128,7 +128,7 @@ pub(super) fn datx(bytes: &[u8]) -> Result<Areal, ReadFault> {
             .unwrap_or(f64::NAN)
     };
     let [_, columns] = size(surface);
-    Ok(Areal::new(FORMAT, Heights::Values { values, columns }).spaced(spacing(x), spacing(y)))
+    Ok(Areal::new(FORMAT, ArealHeights::Values { values, columns }).spaced(spacing(x), spacing(y)))
 }
 
 /// The first group of a file, opened with a limit of the size that its arrays may have.

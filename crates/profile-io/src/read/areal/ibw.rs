@@ -3,8 +3,8 @@
 //! Layout: Technical Note PTN003 of WaveMetrics. Of several layers the first one named a height is read. Instruments of
 //! Asylum Research leave the unit of a height out, which is metres. Curves, such as forces, are refused.
 
-use super::bytes::{Plain, part, text};
-use super::trace::{Areal, Heights};
+use super::bytes::{PlainBytes, part, text};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -22,13 +22,13 @@ const NAMES: [&str; 4] = ["height", "zsensor", "topography", "z sensor"];
 
 /// Numbers of a header in the byte order of the file.
 #[derive(Clone, Copy)]
-struct Header<'a> {
+struct IbwHeader<'a> {
     bytes: &'a [u8],
     is_big: bool,
 }
 
-impl Header<'_> {
-    fn number<T: Plain>(self, at: usize) -> Option<T> {
+impl IbwHeader<'_> {
+    fn number<T: PlainBytes>(self, at: usize) -> Option<T> {
         let bytes = part(self.bytes, at, T::WIDTH)?;
         if self.is_big {
             T::big(bytes)
@@ -48,15 +48,15 @@ fn short_file() -> ReadFault {
 }
 
 /// Type of the numbers of a wave.
-struct Numbers {
+struct IbwNumbers {
     kind: i16,
     /// Bytes of a number.
     width: usize,
 }
 
-impl Numbers {
+impl IbwNumbers {
     /// The number at this place of the file.
-    fn at(&self, header: &Header<'_>, at: usize) -> Option<f64> {
+    fn at(&self, header: &IbwHeader<'_>, at: usize) -> Option<f64> {
         Some(match self.kind {
             0x08 => header.number::<i8>(at)?.into(),
             0x48 => header.number::<u8>(at)?.into(),
@@ -71,7 +71,7 @@ impl Numbers {
 }
 
 /// The numbers of a wave, with its columns, the points of a layer, and its layers.
-fn numbers(header: &Header<'_>) -> Result<(Numbers, [usize; 3]), ReadFault> {
+fn numbers(header: &IbwHeader<'_>) -> Result<(IbwNumbers, [usize; 3]), ReadFault> {
     let refused = |content| ReadFault::no_heights(FORMAT, content);
     let mut sides = [0; 4];
     for (k, side) in sides.iter_mut().enumerate() {
@@ -94,12 +94,12 @@ fn numbers(header: &Header<'_>) -> Result<(Numbers, [usize; 3]), ReadFault> {
         }
     };
     let points = columns.checked_mul(rows.max(1)).ok_or_else(short_file)?;
-    Ok((Numbers { kind, width }, [columns, points, layers.max(1)]))
+    Ok((IbwNumbers { kind, width }, [columns, points, layers.max(1)]))
 }
 
 /// Reads the first layer of heights.
 pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
-    let header = Header {
+    let header = IbwHeader {
         bytes,
         is_big: bytes.first() == Some(&0),
     };
@@ -158,7 +158,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
             .map_or(f64::NAN, |(unit, step)| unit.metres(step.abs()))
     };
     let values = values.collect();
-    let heights = Heights::Values { values, columns };
+    let heights = ArealHeights::Values { values, columns };
     let mut found = Areal::in_own_unit(FORMAT, heights, unit).spaced(spacing(0), spacing(1));
     found.metadata.title = text(bytes, 64 + 28, LABEL).as_deref().and_then(short);
     Ok(found)

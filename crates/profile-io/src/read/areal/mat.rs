@@ -7,7 +7,7 @@ use super::bytes::part;
 use super::chosen::chosen;
 use super::mat_elements::arrays;
 use super::raw::{Layout, Raw};
-use super::trace::{Areal, Heights};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -55,7 +55,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     };
     let raw = Raw::new(array.data, array.number, layout);
     let raw = raw.ok_or_else(|| fault("an array has fewer numbers than its size", ""))?;
-    let numbers = Lengths::Numbers(Heights::Raw(raw), None);
+    let numbers = Lengths::Numbers(ArealHeights::Raw(raw), None);
     let mut found = Areal::from_heights(FORMAT, numbers);
     found
         .warnings

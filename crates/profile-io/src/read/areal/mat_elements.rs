@@ -6,7 +6,7 @@
 
 use super::bytes::{little, part, text};
 use super::held::most_unpacked;
-use super::raw::Number;
+use super::raw::RawNumber;
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -26,7 +26,7 @@ const NUMERIC: std::ops::RangeInclusive<u32> = 6..=15;
 /// An array of real numbers in two dimensions.
 pub(super) struct Array {
     pub name: String,
-    pub number: Number,
+    pub number: RawNumber,
     pub rows: usize,
     pub columns: usize,
     /// The numbers, column by column.
@@ -34,18 +34,18 @@ pub(super) struct Array {
 }
 
 /// Type and data of an element, and the offset of the next one.
-struct Element<'a> {
+struct MatElement<'a> {
     kind: u32,
     data: &'a [u8],
     next: usize,
 }
 
-fn element(bytes: &[u8], at: usize) -> Option<Element<'_>> {
+fn element(bytes: &[u8], at: usize) -> Option<MatElement<'_>> {
     let first: u32 = little(bytes, at)?;
     if first >> 16 != 0 {
         let data = part(bytes, at + 4, (first >> 16) as usize).filter(|data| data.len() <= 4)?;
         let kind = first & 0xffff;
-        return Some(Element {
+        return Some(MatElement {
             kind,
             data,
             next: at + 8,
@@ -58,7 +58,7 @@ fn element(bytes: &[u8], at: usize) -> Option<Element<'_>> {
         COMPRESSED => end,
         _ => end.checked_next_multiple_of(8)?,
     };
-    Some(Element {
+    Some(MatElement {
         kind: first,
         data,
         next,
@@ -118,18 +118,18 @@ fn array(bytes: &[u8]) -> Option<Array> {
 }
 
 /// Storage by the type of an element.
-fn storage(kind: u32) -> Option<Number> {
+fn storage(kind: u32) -> Option<RawNumber> {
     Some(match kind {
-        1 => Number::I8,
-        2 => Number::U8,
-        3 => Number::I16,
-        4 => Number::U16,
-        5 => Number::I32,
-        6 => Number::U32,
-        7 => Number::F32,
-        9 => Number::F64,
-        12 => Number::I64,
-        13 => Number::U64,
+        1 => RawNumber::I8,
+        2 => RawNumber::U8,
+        3 => RawNumber::I16,
+        4 => RawNumber::U16,
+        5 => RawNumber::I32,
+        6 => RawNumber::U32,
+        7 => RawNumber::F32,
+        9 => RawNumber::F64,
+        12 => RawNumber::I64,
+        13 => RawNumber::U64,
         _ => return None,
     })
 }

@@ -6,8 +6,8 @@
 //! turns it round.
 
 use super::bytes::{big, text};
-use super::raw::{Layout, Missing, Number, Raw};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Missing, Raw, RawNumber};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -43,13 +43,13 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let turned = short_at(230)? != 0;
     let title = text(&bytes, 80, 82);
     let first = (header as usize).saturating_add(intensities as usize);
-    let layout = Layout::packed(first, columns, rows, Number::I32Big);
-    let raw = Raw::new(bytes, Number::I32Big, layout);
+    let layout = Layout::packed(first, columns, rows, RawNumber::I32Big);
+    let raw = Raw::new(bytes, RawNumber::I32Big, layout);
     let mut raw = raw.ok_or_else(|| fault("the phase map is cut off", ""))?;
     raw.missing = Missing::AtLeast(INVALID);
     let factor = scale * obliquity * wavelength / steps;
     raw.scale = if turned { -factor } else { factor };
-    let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(spacing, spacing);
+    let mut found = Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(spacing, spacing);
     found.metadata.title = title.as_deref().and_then(short);
     found.metadata.instrument = Some("Zygo".into());
     Ok(found)

@@ -59,9 +59,10 @@ pub(crate) fn read(
         Format::Opdx => opdx::read(held(stream)?)?,
         Format::Matlab => {
             let bytes = held(stream)?;
-            match mat::is_hdf5(&bytes) {
-                true => hdf5_read(&bytes, format)?,
-                false => mat::read(&bytes)?,
+            if mat::is_hdf5(&bytes) {
+                hdf5_read(&bytes, format)?
+            } else {
+                mat::read(&bytes)?
             }
         }
         Format::GwyddionSimple => gsf::read(held(stream)?)?,

@@ -6,8 +6,8 @@
 use std::collections::HashMap;
 
 use super::bytes::part;
-use super::raw::{Layout, Number, Raw, Unit};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Raw, RawNumber, Unit};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -22,7 +22,7 @@ const LONGEST_TEXT: usize = 1 << 20;
 /// Maximum number of groups and channels.
 const MOST: usize = 64;
 
-type Section = HashMap<String, String>;
+type NidSection = HashMap<String, String>;
 
 /// Reads the first channel of heights.
 pub(super) fn read(mut bytes: Vec<u8>) -> Result<Areal, ReadFault> {
@@ -32,7 +32,7 @@ pub(super) fn read(mut bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let end = end.ok_or_else(|| fault("the mark before the data is missing", ""))?;
     let sections = sections(&encoding_rs::WINDOWS_1252.decode(&text[..end]).0);
     let mut first = end + DATA.len();
-    let none = Section::new();
+    let none = NidSection::new();
     let index = sections.get("DataSet").unwrap_or(&none);
     for name in (0..MOST).flat_map(|group| (0..MOST).map(move |channel| (group, channel))) {
         let Some(name) = index.get(&format!("Gr{}-Ch{}", name.0, name.1)) else {
@@ -47,9 +47,9 @@ pub(super) fn read(mut bytes: Vec<u8>) -> Result<Areal, ReadFault> {
         let (columns, rows) = (value("Points")? as usize, value("Lines")? as usize);
         let bits = value("SaveBits")?;
         let of_kind = match bits as u32 {
-            8 => Number::I8,
-            16 => Number::I16,
-            32 => Number::I32,
+            8 => RawNumber::I8,
+            16 => RawNumber::I16,
+            32 => RawNumber::I32,
             _ => {
                 return Err(fault(
                     "the numbers have an unknown width",
@@ -89,7 +89,7 @@ pub(super) fn read(mut bytes: Vec<u8>) -> Result<Areal, ReadFault> {
         let raw = Raw::new(std::mem::take(&mut bytes), of_kind, layout);
         let mut raw = raw.ok_or_else(|| fault("a channel has no points", name))?;
         (raw.scale, raw.unit) = (scale, Unit::METRE);
-        let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(dx, dy);
+        let mut found = Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(dx, dy);
         found.metadata.title = title;
         found.metadata.instrument = Some("Nanosurf".to_owned());
         return Ok(found);
@@ -98,8 +98,8 @@ pub(super) fn read(mut bytes: Vec<u8>) -> Result<Areal, ReadFault> {
 }
 
 /// The lines `name=value` of each section.
-fn sections(text: &str) -> HashMap<String, Section> {
-    let mut sections: HashMap<String, Section> = HashMap::new();
+fn sections(text: &str) -> HashMap<String, NidSection> {
+    let mut sections: HashMap<String, NidSection> = HashMap::new();
     let mut current = String::new();
     for line in text.lines() {
         let line = line.trim();

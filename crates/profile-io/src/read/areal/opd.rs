@@ -5,8 +5,8 @@
 //! rows times `Aspect`. Whole numbers from 32766 and floats from 1e38 up are missing heights.
 
 use super::bytes::{little, text};
-use super::raw::{Layout, Missing, Number, Raw, Unit};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Missing, Raw, RawNumber, Unit};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -28,7 +28,7 @@ const FLOAT: u16 = 7;
 const BAD_SHORT: f64 = 32766.0;
 const BAD_FLOAT: f64 = 1e38_f32 as f64;
 
-struct Block {
+struct OpdBlock {
     name: String,
     kind: u16,
     first: usize,
@@ -59,8 +59,8 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
         return Err(fault("the block of heights is cut off", ""));
     };
     let (number, missing) = match width {
-        2 => (Number::I16, BAD_SHORT),
-        4 => (Number::F32, BAD_FLOAT),
+        2 => (RawNumber::I16, BAD_SHORT),
+        4 => (RawNumber::F32, BAD_FLOAT),
         _ => {
             return Err(fault(
                 "the width of its numbers is not known",
@@ -94,7 +94,7 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let mut raw = raw.ok_or_else(|| fault("the heights are cut off", ""))?;
     raw.missing = Missing::AtLeast(missing);
     (raw.scale, raw.unit) = (wavelength / mult, Unit::NANOMETRE);
-    let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(pixel, pixel * aspect);
+    let mut found = Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(pixel, pixel * aspect);
     found.metadata.title = title.as_deref().and_then(short);
     found.metadata.date = date.as_deref().and_then(short);
     found.metadata.instrument = Some("Wyko".into());
@@ -102,7 +102,7 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
 }
 
 /// The blocks of the directory; `None` if it or one of them is truncated.
-fn blocks(bytes: &[u8]) -> Option<Vec<Block>> {
+fn blocks(bytes: &[u8]) -> Option<Vec<OpdBlock>> {
     let entry = |at: usize| {
         let start = START + at * ENTRY;
         let size: i32 = little(bytes, start + 18)?;
@@ -121,7 +121,7 @@ fn blocks(bytes: &[u8]) -> Option<Vec<Block>> {
     let mut blocks = Vec::new();
     for at in 1..count {
         let (name, kind, size) = entry(at)?;
-        blocks.push(Block {
+        blocks.push(OpdBlock {
             name,
             kind,
             first,

@@ -5,8 +5,8 @@
 //! height is number · `DataScale`. The layout of surfaces is not confirmed by a public file.
 
 use super::opdx_items::{Item, items};
-use super::raw::{Layout, Number, Raw, Unit};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Raw, RawNumber, Unit};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::{ReadFault, shortened};
 use crate::read::format::Format;
@@ -102,7 +102,7 @@ fn profile(tree: &Tree, bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let Some(&Item::Array(first, length)) = tree.get(&format!("{prefix}/Array")) else {
         return Err(fault("its heights are missing", ""));
     };
-    if length != points * Number::F64.width() + ARRAY_HEAD {
+    if length != points * RawNumber::F64.width() + ARRAY_HEAD {
         return Err(fault(
             "the number of heights is not that of the header",
             &length.to_string(),
@@ -110,12 +110,12 @@ fn profile(tree: &Tree, bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     }
     let (extent, along) = tree.quantity(&format!("{prefix}/Extent"))?;
     let (scale, unit) = tree.quantity(&format!("{prefix}/DataScale"))?;
-    let layout = Layout::packed(first + ARRAY_HEAD, points, 1, Number::F64);
-    let raw = Raw::new(bytes, Number::F64, layout);
+    let layout = Layout::packed(first + ARRAY_HEAD, points, 1, RawNumber::F64);
+    let raw = Raw::new(bytes, RawNumber::F64, layout);
     let mut raw = raw.ok_or_else(|| fault("its heights are cut off", ""))?;
     (raw.scale, raw.unit) = (scale, unit);
     let spacing = along.metres(extent / (points as f64 - 1.0));
-    Ok(Areal::new(FORMAT, Heights::Raw(raw)).spaced(spacing, f64::NAN))
+    Ok(Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(spacing, f64::NAN))
 }
 
 fn surface(tree: &Tree, bytes: Vec<u8>) -> Result<Areal, ReadFault> {
@@ -129,11 +129,11 @@ fn surface(tree: &Tree, bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let (height, across) = tree.quantity(&format!("{prefix}/Dimension1Extent"))?;
     let (width, along) = tree.quantity(&format!("{prefix}/Dimension2Extent"))?;
     let (scale, unit) = tree.quantity(&format!("{prefix}/DataScale"))?;
-    let layout = Layout::packed(first, columns, rows, Number::F32);
-    let raw = Raw::new(bytes, Number::F32, layout);
+    let layout = Layout::packed(first, columns, rows, RawNumber::F32);
+    let raw = Raw::new(bytes, RawNumber::F32, layout);
     let mut raw = raw.ok_or_else(|| fault("its heights are cut off", ""))?;
     (raw.scale, raw.unit) = (scale, unit);
     let dx = along.metres(width / columns as f64);
     let dy = across.metres(height / rows as f64);
-    Ok(Areal::new(FORMAT, Heights::Raw(raw)).spaced(dx, dy))
+    Ok(Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(dx, dy))
 }

@@ -3,7 +3,7 @@
 //! Layout: Gwyddion dektakvca.c and SurfaceTopography. An item has a name, a type and data. Containers hold
 //! items up to a terminator; lengths have one, two or four bytes, preceded by this width.
 
-use super::bytes::{Cursor, Plain};
+use super::bytes::{Cursor, PlainBytes};
 
 /// Maximum nesting and number of items.
 const DEEPEST: usize = 16;
@@ -51,7 +51,7 @@ pub(super) enum Item {
 
 /// The items of a file by their paths, `/1D_Data/Raw/Array`; `None` if the tree is truncated.
 pub(super) fn items(bytes: &[u8], at: usize) -> Option<Vec<(String, Item)>> {
-    let mut reader = Reader {
+    let mut reader = OpdxReader {
         cursor: Cursor { bytes, at },
         found: Vec::new(),
     };
@@ -59,12 +59,12 @@ pub(super) fn items(bytes: &[u8], at: usize) -> Option<Vec<(String, Item)>> {
     Some(reader.found)
 }
 
-struct Reader<'a> {
+struct OpdxReader<'a> {
     cursor: Cursor<'a>,
     found: Vec<(String, Item)>,
 }
 
-impl Reader<'_> {
+impl OpdxReader<'_> {
     /// Reads an item; returns whether another may follow in its container.
     fn item(&mut self, prefix: &str, depth: usize) -> Option<bool> {
         let at_end = self.cursor.at >= self.cursor.bytes.len();
@@ -134,7 +134,7 @@ impl Reader<'_> {
         Some(true)
     }
 
-    fn number<T: Plain + Into<f64>>(&mut self) -> Option<f64> {
+    fn number<T: PlainBytes + Into<f64>>(&mut self) -> Option<f64> {
         self.cursor.number::<T>().map(T::into)
     }
 

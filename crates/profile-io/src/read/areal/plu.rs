@@ -5,8 +5,8 @@
 //! as `Fri Mar 10 16:35:59 2023` and a zero.
 
 use super::bytes::{little, text};
-use super::raw::{Layout, Missing, Number, Raw, Unit};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Missing, Raw, RawNumber, Unit};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -70,11 +70,11 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let [dx, dy] = [pixel(X_PIXEL), pixel(Y_PIXEL)].map(|pixel| Unit::MICROMETRE.metres(pixel));
     let date = text(&bytes, 0, DATE);
     let title = text(&bytes, COMMENT, 256);
-    let layout = Layout::packed(HEADER + 8, columns, rows, Number::F32);
-    let raw = Raw::new(bytes, Number::F32, layout);
+    let layout = Layout::packed(HEADER + 8, columns, rows, RawNumber::F32);
+    let raw = Raw::new(bytes, RawNumber::F32, layout);
     let mut raw = raw.ok_or_else(|| fault("fewer heights than the header says", ""))?;
     (raw.unit, raw.missing) = (Unit::MICROMETRE, Missing::Equal(NONE));
-    let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(dx, dy);
+    let mut found = Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(dx, dy);
     found.metadata.date = date.as_deref().and_then(short);
     found.metadata.title = title.as_deref().and_then(short);
     found.metadata.instrument = Some("Sensofar".into());

@@ -1,10 +1,10 @@
 //! A matrix of numbers in the bytes of a file, and its conversion to heights.
 
-use super::bytes::{Plain, part};
+use super::bytes::{PlainBytes, part};
 
 /// Storage of a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Number {
+pub(crate) enum RawNumber {
     U8,
     I8,
     U16,
@@ -19,7 +19,7 @@ pub(crate) enum Number {
     F64,
 }
 
-impl Number {
+impl RawNumber {
     pub(super) fn width(self) -> usize {
         match self {
             Self::U8 | Self::I8 => 1,
@@ -101,7 +101,7 @@ impl Unit {
 #[derive(Debug, Clone)]
 pub(crate) struct Raw {
     bytes: Vec<u8>,
-    number: Number,
+    number: RawNumber,
     columns: usize,
     rows: usize,
     /// Offset of row 0, column 0.
@@ -125,7 +125,7 @@ pub(crate) struct Layout {
 
 impl Layout {
     /// Rows without gaps, from the offset `first`.
-    pub(crate) fn packed(first: usize, columns: usize, rows: usize, number: Number) -> Self {
+    pub(crate) fn packed(first: usize, columns: usize, rows: usize, number: RawNumber) -> Self {
         let width = number.width() as i64;
         let row = width.saturating_mul(i64::try_from(columns).unwrap_or(i64::MAX));
         Self {
@@ -137,7 +137,7 @@ impl Layout {
     }
 
     /// Whether the matrix is within `length` bytes.
-    fn lies_in(self, length: usize, number: Number) -> Option<bool> {
+    fn lies_in(self, length: usize, number: RawNumber) -> Option<bool> {
         let [along, across] = self.steps;
         let last =
             |count: usize, step: i64| i64::try_from(count).ok()?.checked_sub(1)?.checked_mul(step);
@@ -152,7 +152,7 @@ impl Layout {
 
 impl Raw {
     /// The matrix at `layout`; `None` if it has no points or is not within `bytes`.
-    pub(crate) fn new(bytes: Vec<u8>, number: Number, layout: Layout) -> Option<Self> {
+    pub(crate) fn new(bytes: Vec<u8>, number: RawNumber, layout: Layout) -> Option<Self> {
         let whole = layout.columns > 0 && layout.rows > 0;
         let inside = layout.lies_in(bytes.len(), number)?;
         (whole && inside).then_some(Self {
@@ -203,7 +203,7 @@ mod tests {
                 rows,
                 steps,
             };
-            Raw::new(vec![0; 24], Number::I16, layout).is_some()
+            Raw::new(vec![0; 24], RawNumber::I16, layout).is_some()
         };
         assert!(fits(0, 4, 3, [2, 8]));
         assert!(!fits(1, 4, 3, [2, 8]));
@@ -220,8 +220,8 @@ mod tests {
             .iter()
             .flat_map(|v| v.to_le_bytes())
             .collect();
-        let layout = Layout::packed(0, 2, 2, Number::I16);
-        let mut raw = Raw::new(bytes, Number::I16, layout).unwrap();
+        let layout = Layout::packed(0, 2, 2, RawNumber::I16);
+        let mut raw = Raw::new(bytes, RawNumber::I16, layout).unwrap();
         (raw.scale, raw.unit, raw.missing) = (0.5, Unit::NANOMETRE, Missing::AtLeast(32767.0));
         assert_eq!(raw.height(0, 1), -1.5e-9);
         assert!(raw.height(1, 1).is_nan());

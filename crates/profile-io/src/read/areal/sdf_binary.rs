@@ -5,8 +5,8 @@
 //! readers state it (Gwyddion sdfile.c, SurfaceTopography, surfalize).
 
 use super::bytes::{Cursor, text};
-use super::raw::{Layout, Missing, Number, Raw};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Missing, Raw, RawNumber};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -20,15 +20,15 @@ const WIDE: &[u8] = b"bISO-2.0";
 const PROPOSAL: &[u8] = b"bBCR";
 
 /// Storage by the number of the type.
-const TYPES: [Number; 8] = [
-    Number::U8,
-    Number::U16,
-    Number::U32,
-    Number::F32,
-    Number::I8,
-    Number::I16,
-    Number::I32,
-    Number::F64,
+const TYPES: [RawNumber; 8] = [
+    RawNumber::U8,
+    RawNumber::U16,
+    RawNumber::U32,
+    RawNumber::F32,
+    RawNumber::I8,
+    RawNumber::I16,
+    RawNumber::I32,
+    RawNumber::F64,
 ];
 
 /// Reads the surface or profile.
@@ -60,20 +60,21 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let mut raw = raw.ok_or_else(|| fault("fewer heights than the header says", ""))?;
     let [below, above] = sdf_mark::between(usize::from(kind), is_proposal);
     (raw.scale, raw.missing) = (scales[2], Missing::Outside(below, above));
-    let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(scales[0], scales[1]);
+    let mut found = Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(scales[0], scales[1]);
     found.metadata.instrument = instrument.as_deref().and_then(short);
     found.metadata.date = date.as_deref().and_then(short);
     Ok(found)
 }
 
-type Header = ([usize; 2], [f64; 3], [u8; 3]);
+type SdfBinaryHeader = ([usize; 2], [f64; 3], [u8; 3]);
 
 /// Points and profiles; scales of x, y and z; compression, type and check.
-fn header_of(header: &mut Cursor<'_>, wide: bool) -> Option<Header> {
+fn header_of(header: &mut Cursor<'_>, wide: bool) -> Option<SdfBinaryHeader> {
     let mut count = || {
-        Some(match wide {
-            true => header.number::<u32>()? as usize,
-            false => usize::from(header.number::<u16>()?),
+        Some(if wide {
+            header.number::<u32>()? as usize
+        } else {
+            usize::from(header.number::<u16>()?)
         })
     };
     let counts = [count()?, count()?];

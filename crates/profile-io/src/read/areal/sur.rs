@@ -7,8 +7,8 @@
 
 use super::bytes::{little, part, text};
 use super::held::most_unpacked;
-use super::raw::{Layout, Missing, Number, Raw, Unit};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Missing, Raw, RawNumber, Unit};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -48,7 +48,7 @@ const WITH_INTENSITY: i16 = 11;
 const WITH_COLOUR: i16 = 16;
 
 /// One object: its matrix and the byte after it.
-struct Object {
+struct SurObject {
     raw: Raw,
     end: usize,
 }
@@ -82,7 +82,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     };
     let heights = match kind {
         PROFILES if objects > 1 => series(bytes, first, objects)?,
-        _ => Heights::Raw(first.raw),
+        _ => ArealHeights::Raw(first.raw),
     };
     let mut found = Areal::new(FORMAT, heights).spaced(dx, dy);
     found.metadata.title = text(bytes, 20, 30).as_deref().and_then(short);
@@ -93,19 +93,23 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     Ok(found)
 }
 
-fn field<T: super::bytes::Plain>(bytes: &[u8], start: usize, at: usize) -> Result<T, ReadFault> {
+fn field<T: super::bytes::PlainBytes>(
+    bytes: &[u8],
+    start: usize,
+    at: usize,
+) -> Result<T, ReadFault> {
     let found = start.checked_add(at).and_then(|at| little(bytes, at));
     found.ok_or_else(|| damaged(FORMAT, "the header is cut off", ""))
 }
 
 /// The object whose header starts at `start`.
-fn object(bytes: &[u8], start: usize) -> Result<Object, ReadFault> {
+fn object(bytes: &[u8], start: usize) -> Result<SurObject, ReadFault> {
     let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let read = |at| field::<i32>(bytes, start, at);
     let bits: i16 = field(bytes, start, 98)?;
     let number = match bits {
-        16 => Number::I16,
-        32 => Number::I32,
+        16 => RawNumber::I16,
+        32 => RawNumber::I32,
         _ => {
             return Err(fault(
                 "the width of its numbers is not known",
@@ -119,13 +123,12 @@ fn object(bytes: &[u8], start: usize) -> Result<Object, ReadFault> {
     let private = usize::from(field::<u16>(bytes, start, 336)?);
     let data = start + HEADER + comment + private;
     let length = columns.saturating_mul(rows).saturating_mul(number.width());
-    let (matrix, end) = match bytes[start..].starts_with(COMPRESSED) {
-        true => unpacked(bytes, data, length)?,
-        false => {
-            let matrix = part(bytes, data, length).map(<[u8]>::to_vec);
-            let matrix = matrix.ok_or_else(|| fault("fewer heights than the header says", ""))?;
-            (matrix, data + length)
-        }
+    let (matrix, end) = if bytes[start..].starts_with(COMPRESSED) {
+        unpacked(bytes, data, length)?
+    } else {
+        let matrix = part(bytes, data, length).map(<[u8]>::to_vec);
+        let matrix = matrix.ok_or_else(|| fault("fewer heights than the header says", ""))?;
+        (matrix, data + length)
     };
     let layout = Layout::packed(0, columns, rows, number);
     let raw = Raw::new(matrix, number, layout);
@@ -136,7 +139,7 @@ fn object(bytes: &[u8], start: usize) -> Result<Object, ReadFault> {
     }
     raw.scale = f64::from(field::<f32>(bytes, start, 128)?);
     raw.unit = unit(bytes, start + 212, Axis::Height)?;
-    Ok(Object { raw, end })
+    Ok(SurObject { raw, end })
 }
 
 /// The content of the zlib streams at `at`, of `length` bytes together, and the byte after them.
@@ -174,7 +177,7 @@ fn unpacked(bytes: &[u8], at: usize, length: usize) -> Result<(Vec<u8>, usize), 
 }
 
 /// A series of profiles, each with its header.
-fn series(bytes: &[u8], first: Object, objects: u16) -> Result<Heights, ReadFault> {
+fn series(bytes: &[u8], first: SurObject, objects: u16) -> Result<ArealHeights, ReadFault> {
     let columns = first.raw.size()[0];
     let mut values = Vec::new();
     let mut object_at = first;
@@ -188,7 +191,7 @@ fn series(bytes: &[u8], first: Object, objects: u16) -> Result<Heights, ReadFaul
             object_at = object(bytes, object_at.end)?;
         }
     }
-    Ok(Heights::Values { values, columns })
+    Ok(ArealHeights::Values { values, columns })
 }
 
 /// The spacing \[m\] at `at`, in the unit with its name at `name`.

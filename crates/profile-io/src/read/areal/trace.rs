@@ -17,14 +17,14 @@ use crate::warning::Warning;
 
 /// Heights of a surface, or of a profile with one row.
 #[derive(Debug, Clone)]
-pub(crate) enum Heights {
+pub(crate) enum ArealHeights {
     /// Bytes of the file, decoded on request.
     Raw(Raw),
     /// Row by row; NaN for missing heights.
     Values { values: Vec<f64>, columns: usize },
 }
 
-impl Heights {
+impl ArealHeights {
     fn size(&self) -> [usize; 2] {
         match self {
             Self::Raw(raw) => raw.size(),
@@ -59,7 +59,7 @@ impl Heights {
 #[derive(Debug, Clone)]
 pub(crate) struct Areal {
     pub format: Format,
-    pub heights: Lengths<Heights>,
+    pub heights: Lengths<ArealHeights>,
     /// Spacings along rows and between rows, if stated.
     pub spacings: [Option<Lengths<f64>>; 2],
     pub metadata: Metadata,
@@ -72,12 +72,16 @@ pub(crate) struct Areal {
 
 impl Areal {
     /// Heights scaled to metres by the file, without other facts.
-    pub(crate) fn new(format: Format, heights: Heights) -> Self {
+    pub(crate) fn new(format: Format, heights: ArealHeights) -> Self {
         Self::from_heights(format, Lengths::Metres(heights))
     }
 
     /// Heights that the file scales by its `unit`, or numbers if it states none.
-    pub(super) fn in_own_unit(format: Format, heights: Heights, unit: Option<LengthUnit>) -> Self {
+    pub(super) fn in_own_unit(
+        format: Format,
+        heights: ArealHeights,
+        unit: Option<LengthUnit>,
+    ) -> Self {
         match unit {
             Some(unit) => Self::new(format, heights.times(unit)),
             None => Self::from_heights(format, Lengths::Numbers(heights, None)),
@@ -85,7 +89,7 @@ impl Areal {
     }
 
     /// Heights without other facts.
-    pub(crate) fn from_heights(format: Format, heights: Lengths<Heights>) -> Self {
+    pub(crate) fn from_heights(format: Format, heights: Lengths<ArealHeights>) -> Self {
         Self {
             format,
             heights,
@@ -111,17 +115,22 @@ impl Areal {
         let surface = self.heights.values();
         let [columns, rows] = surface.size();
         let is_along_y = options.line.is_along_y();
-        let (across, points) = match is_along_y {
-            false => (rows, columns),
-            true => (columns, rows),
+        let (across, points) = if is_along_y {
+            (columns, rows)
+        } else {
+            (rows, columns)
         };
-        let at = |point: usize, line: usize| match is_along_y {
-            false => surface.height(point, line),
-            true => surface.height(line, point),
+        let at = |point: usize, line: usize| {
+            if is_along_y {
+                surface.height(line, point)
+            } else {
+                surface.height(point, line)
+            }
         };
-        let line = match options.line.is_mean() {
-            true => 0,
-            false => chosen_row(options.row, across, points)?,
+        let line = if options.line.is_mean() {
+            0
+        } else {
+            chosen_row(options.row, across, points)?
         };
         enough_of_line(points, across, options.line)?;
         let heights: Vec<f64> = if options.line.is_mean() {
@@ -152,7 +161,7 @@ impl Areal {
     ) -> Result<Surface, ReadFault> {
         let is_scaled = self.heights.are_metres();
         let warnings = &mut self.warnings;
-        let no_unit = |heights: &Heights, _: &mut Vec<Warning>| {
+        let no_unit = |heights: &ArealHeights, _: &mut Vec<Warning>| {
             Err(ReadFault::no_unit(Axis::Height, span(heights)))
         };
         let (heights, unit) =
@@ -213,7 +222,7 @@ fn mean(heights: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Difference of the highest and lowest height, in the unit of the file.
-fn span(heights: &Heights) -> f64 {
+fn span(heights: &ArealHeights) -> f64 {
     let [columns, rows] = heights.size();
     let all = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
     let all = all.map(|(column, row)| heights.height(column, row));

@@ -6,8 +6,8 @@
 
 use super::bytes::little;
 use super::held::whole;
-use super::raw::{Layout, Number, Raw, Unit};
-use super::trace::{Areal, Heights};
+use super::raw::{Layout, Raw, RawNumber, Unit};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -58,9 +58,9 @@ fn image(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let (columns, rows) = (at(image, 0)? as usize, at(image, 4)? as usize);
     let bits = at(image, 8)?;
     let number = match bits {
-        8 => Number::U8,
-        16 => Number::U16,
-        32 => Number::U32,
+        8 => RawNumber::U8,
+        16 => RawNumber::U16,
+        32 => RawNumber::U32,
         _ => {
             return Err(fault(
                 "the width of its numbers is not known",
@@ -91,7 +91,7 @@ fn image(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let mut raw = raw.ok_or_else(|| fault("the height image is cut off", ""))?;
     (raw.scale, raw.unit) = (z, Unit::PICOMETRE);
     let [dx, dy] = [x, y].map(|length| Unit::PICOMETRE.metres(length));
-    let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(dx, dy);
+    let mut found = Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(dx, dy);
     found.metadata.instrument = Some("Keyence VK".into());
     if let [year @ 1990..=2200, month @ 1..=12, day @ 1..=31] = date {
         found.metadata.date = Some(format!("{year:04}-{month:02}-{day:02}"));

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::trace::{Areal, Heights};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::{damaged, height, miscounted};
 use crate::read::error::ReadFault;
 use crate::read::file_dialect::BadHeights;
@@ -70,7 +70,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     }
     let pixel = stated("Pixel_size").unwrap_or(f64::NAN) / 1e3;
     let aspect = stated("Aspect").unwrap_or(1.0);
-    let heights = Heights::Values {
+    let heights = ArealHeights::Values {
         values: heights,
         columns,
     };

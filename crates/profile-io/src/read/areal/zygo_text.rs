@@ -7,7 +7,7 @@
 //! number · S · W · O / R as in the binary file, with the phase resolution in line 11.
 
 use super::metropro;
-use super::trace::{Areal, Heights};
+use super::trace::{Areal, ArealHeights};
 use crate::read::damage::{damaged, height, miscounted};
 use crate::read::error::ReadFault;
 use crate::read::file_dialect::BadHeights;
@@ -30,12 +30,12 @@ const SIGN: usize = 7;
 const FEWEST: usize = 2;
 
 /// The lines of the header.
-struct Header<'a> {
+struct ZygoHeader<'a> {
     format: Format,
     lines: Vec<&'a str>,
 }
 
-impl Header<'_> {
+impl ZygoHeader<'_> {
     fn field(&self, line: usize, field: usize) -> Option<&str> {
         self.lines.get(line)?.split_whitespace().nth(field)
     }
@@ -67,7 +67,7 @@ pub(super) fn read(format: Format, bytes: &[u8]) -> Result<Areal, ReadFault> {
     let mut lines = (1..).zip(text.lines().map(str::trim));
     let is_before = |(_, line): &(usize, &str)| *line != "#";
     let header = lines.by_ref().take_while(is_before);
-    let header = Header {
+    let header = ZygoHeader {
         format,
         lines: header.map(|(_, line)| line).collect(),
     };
@@ -86,7 +86,7 @@ pub(super) fn read(format: Format, bytes: &[u8]) -> Result<Areal, ReadFault> {
     };
     let spacing = header.field(SCALES, RESOLUTION).and_then(number);
     let spacing = spacing.unwrap_or(f64::NAN);
-    let heights = Heights::Values { values, columns };
+    let heights = ArealHeights::Values { values, columns };
     let mut found = Areal::new(format, heights).spaced(spacing, spacing);
     let comment = header.lines.get(COMMENT);
     found.metadata.title = comment.and_then(|line| short(line.trim_matches('"')));
@@ -96,7 +96,7 @@ pub(super) fn read(format: Format, bytes: &[u8]) -> Result<Areal, ReadFault> {
 
 /// Heights \[m\] of points, each with its column and row.
 fn points<'a>(
-    header: &Header<'_>,
+    header: &ZygoHeader<'_>,
     columns: usize,
     rows: usize,
     lines: impl Iterator<Item = (usize, &'a str)>,
@@ -133,7 +133,7 @@ fn points<'a>(
 
 /// Heights \[m\] of the last block of numbers: intensities are before it.
 fn phases<'a>(
-    header: &Header<'_>,
+    header: &ZygoHeader<'_>,
     count: usize,
     lines: impl Iterator<Item = (usize, &'a str)>,
 ) -> Result<Vec<f64>, ReadFault> {

@@ -14,8 +14,9 @@ pub(crate) fn inflated(format: Format, packed: &[u8], most: u64) -> Result<Vec<u
     let unpacked = ZlibDecoder::new(packed)
         .take(most.saturating_add(1))
         .read_to_end(&mut content);
-    match unpacked.is_ok() && content.len() as u64 <= most {
-        true => Ok(content),
-        false => Err(damaged(format, "a stream cannot be unpacked", "")),
+    if unpacked.is_ok() && content.len() as u64 <= most {
+        Ok(content)
+    } else {
+        Err(damaged(format, "a stream cannot be unpacked", ""))
     }
 }

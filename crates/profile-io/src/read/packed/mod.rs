@@ -25,7 +25,7 @@ use super::format::Format;
 use super::header::FilterState;
 use super::options::{Encoding, ReadOptions, TraceLine};
 use super::recognise::ZIP;
-use super::text::{Start, Stream, Text};
+use super::text::{Start, Stream, TextSource};
 use super::trace::Trace;
 use crate::warning::Warning;
 
@@ -44,7 +44,7 @@ pub(super) fn surface(
             let table = workbook::read(format, stream, start.size, options)?;
             let mut bytes = Cursor::new(table.text);
             let start = Start::read(&mut bytes)?;
-            let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
+            let (head, mut text) = TextSource::new(name, &mut bytes, &start, Some(Encoding::Utf8));
             delimited::surface(&head, &mut text, options)?
         }
         _ => return Ok(None),
@@ -80,9 +80,10 @@ pub(super) fn table(
     stream: &mut dyn Stream,
     start: &Start,
 ) -> Result<Option<String>, ReadFault> {
-    match is_workbook(format, start) {
-        true => workbook::text(format, stream, start.size).map(Some),
-        false => Ok(None),
+    if is_workbook(format, start) {
+        workbook::text(format, stream, start.size).map(Some)
+    } else {
+        Ok(None)
     }
 }
 
@@ -103,7 +104,7 @@ fn trace_of_table(
     }
     let mut bytes = Cursor::new(table.text);
     let start = Start::read(&mut bytes)?;
-    let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
+    let (head, mut text) = TextSource::new(name, &mut bytes, &start, Some(Encoding::Utf8));
     let mut trace = delimited::read(&head, &mut text, &options)?;
     if let Some(asked) = options.row.filter(|row| *row != 1)
         && !trace.format.may_hold_several()

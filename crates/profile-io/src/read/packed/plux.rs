@@ -5,8 +5,8 @@
 
 use super::archive::Archive;
 use super::xml::{Leaf, walk};
-use crate::read::areal::raw::{Layout, Number, Raw, Unit};
-use crate::read::areal::trace::{Areal, Heights};
+use crate::read::areal::raw::{Layout, Raw, RawNumber, Unit};
+use crate::read::areal::trace::{Areal, ArealHeights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -55,9 +55,10 @@ pub(super) fn read(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadFaul
     let name = name.ok_or_else(|| fault("it holds no index.xml", ""))?;
     let index = archive.read(&name, |stream| {
         let mut index = Index::default();
-        match walk(stream, |leaf| index.take(&leaf)) {
-            true => Ok(index),
-            false => Err(fault("index.xml is not sound XML", "")),
+        if walk(stream, |leaf| index.take(&leaf)) {
+            Ok(index)
+        } else {
+            Err(fault("index.xml is not sound XML", ""))
         }
     })?;
     let [Some(columns), Some(rows)] = index.size else {
@@ -66,13 +67,13 @@ pub(super) fn read(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadFaul
     let member = index.member.as_deref().unwrap_or(HEIGHTS);
     let member = archive.find(member).unwrap_or_else(|| member.to_owned());
     let bytes = archive.bytes(&member)?;
-    let layout = Layout::packed(0, columns, rows, Number::F32);
-    let raw = Raw::new(bytes, Number::F32, layout);
+    let layout = Layout::packed(0, columns, rows, RawNumber::F32);
+    let raw = Raw::new(bytes, RawNumber::F32, layout);
     let mut raw = raw.ok_or_else(|| fault("fewer heights than index.xml says", ""))?;
     raw.unit = Unit::MICROMETRE;
     let [dx, dy] = index.spacing;
     let metres = |um: Option<f64>| um.map_or(f64::NAN, |um| Unit::MICROMETRE.metres(um));
-    let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(metres(dx), metres(dy));
+    let mut found = Areal::new(FORMAT, ArealHeights::Raw(raw)).spaced(metres(dx), metres(dy));
     found.metadata = index.metadata;
     Ok(found)
 }

@@ -30,7 +30,7 @@ pub(super) struct Sheet {
 }
 
 /// Table of a sheet.
-pub(super) struct Block {
+pub(super) struct SheetBlock {
     columns: Vec<usize>,
     /// First row of the table and the row after its last.
     first: usize,
@@ -106,7 +106,7 @@ impl Sheet {
     }
 
     /// The longest columns of numbers; `None` if they are too short for a profile.
-    pub(super) fn block(&self) -> Option<Block> {
+    pub(super) fn block(&self) -> Option<SheetBlock> {
         let longest = self.columns.values().map(Vec::len).max()?;
         if longest < FEWEST_POINTS {
             return None;
@@ -120,7 +120,7 @@ impl Sheet {
         let last = long()
             .filter_map(|(_, cells)| cells.last())
             .map(|cell| cell.0);
-        Some(Block {
+        Some(SheetBlock {
             columns: long().map(|(column, _)| *column).collect(),
             first: first.max()?,
             end: last.max()? + 1,
@@ -129,7 +129,7 @@ impl Sheet {
     }
 
     /// The table as text with tabs, one line a row, under the labels above it.
-    pub(super) fn text(&self, block: &Block, units: Option<&str>) -> String {
+    pub(super) fn text(&self, block: &SheetBlock, units: Option<&str>) -> String {
         let mut above: BTreeMap<usize, BTreeMap<usize, String>> = BTreeMap::new();
         if units.is_none() {
             let labels = self.labels.iter().filter(|(row, ..)| *row < block.first);

@@ -7,7 +7,7 @@
 //! x in millimetres and heights in micrometres.
 
 use super::archive::Archive;
-use super::sheet::{Block, MOST_COLUMNS, MOST_ROWS, MOST_TEXTS, Sheet};
+use super::sheet::{MOST_COLUMNS, MOST_ROWS, MOST_TEXTS, Sheet, SheetBlock};
 use super::xls;
 use super::xml::walk;
 use crate::read::damage::damaged;
@@ -36,9 +36,10 @@ fn sheets(format: Format, stream: &mut dyn Stream, size: u64) -> Result<Vec<Shee
         return xls::sheets(stream, size);
     }
     let mut archive = Archive::open(FORMAT, stream, size)?;
-    match archive.holds("content.xml") {
-        true => open_document(&mut archive),
-        false => office_open(&mut archive),
+    if archive.holds("content.xml") {
+        open_document(&mut archive)
+    } else {
+        office_open(&mut archive)
     }
 }
 
@@ -79,7 +80,7 @@ pub(super) fn read(
     if !is_mitutoyo {
         (metadata, filter_state) = (Metadata::default(), FilterState::Unknown);
     }
-    let tables: Vec<(&Sheet, Block)> = sheets
+    let tables: Vec<(&Sheet, SheetBlock)> = sheets
         .iter()
         .filter_map(|sheet| Some((sheet, sheet.block()?)))
         .collect();
@@ -149,9 +150,10 @@ fn texts(archive: &mut Archive<'_>) -> Result<Vec<String>, ReadFault> {
             }
             texts.len() < MOST_TEXTS
         });
-        match sound {
-            true => Ok(texts),
-            false => Err(damaged(FORMAT, "the texts are not sound XML", "")),
+        if sound {
+            Ok(texts)
+        } else {
+            Err(damaged(FORMAT, "the texts are not sound XML", ""))
         }
     })
 }
@@ -182,15 +184,16 @@ fn sheet(archive: &mut Archive<'_>, name: &str, texts: &[String]) -> Result<Shee
             }
             !sheet.is_full()
         });
-        match sound {
-            true => Ok(sheet),
-            false => Err(damaged(FORMAT, "a sheet is not sound XML", name)),
+        if sound {
+            Ok(sheet)
+        } else {
+            Err(damaged(FORMAT, "a sheet is not sound XML", name))
         }
     })
 }
 
 /// A cell of an `.ods`: a number as it is written, or a text.
-enum Content {
+enum WorkbookContent {
     Number(String),
     Text(String),
 }
@@ -201,7 +204,7 @@ fn open_document(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
         let mut sheets = Vec::new();
         let mut sheet = Sheet::default();
         let (mut row, mut column, mut text) = (0, 0, String::new());
-        let mut cells: Vec<(usize, Content)> = Vec::new();
+        let mut cells: Vec<(usize, WorkbookContent)> = Vec::new();
         let repeats = |stated: Option<&str>| {
             let count = stated.and_then(|count| count.parse().ok());
             count.unwrap_or(1_usize).min(MOST_ROWS)
@@ -214,9 +217,9 @@ fn open_document(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
                     let count = repeats(leaf.attribute("number-columns-repeated"));
                     for column in column..(column + count).min(MOST_COLUMNS) {
                         let content = match leaf.attribute("value") {
-                            Some(value) => Content::Number(value.to_owned()),
+                            Some(value) => WorkbookContent::Number(value.to_owned()),
                             None if text.trim().is_empty() => break,
-                            None => Content::Text(text.clone()),
+                            None => WorkbookContent::Text(text.clone()),
                         };
                         cells.push((column, content));
                     }
@@ -230,8 +233,8 @@ fn open_document(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
                         }
                         for (column, content) in &cells {
                             match content {
-                                Content::Number(value) => sheet.number(row, *column, value),
-                                Content::Text(text) => sheet.label(row, *column, text),
+                                WorkbookContent::Number(value) => sheet.number(row, *column, value),
+                                WorkbookContent::Text(text) => sheet.label(row, *column, text),
                             }
                         }
                     }
@@ -247,9 +250,10 @@ fn open_document(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
             }
             !sheet.is_full() && sheets.len() < MOST_COLUMNS
         });
-        match sound {
-            true => Ok(sheets),
-            false => Err(damaged(FORMAT, "the sheets are not sound XML", "")),
+        if sound {
+            Ok(sheets)
+        } else {
+            Err(damaged(FORMAT, "the sheets are not sound XML", ""))
         }
     })
 }

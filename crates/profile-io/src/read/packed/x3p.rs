@@ -11,7 +11,7 @@ use std::ops::Range;
 use super::archive::Archive;
 use super::hashed::Hashed;
 use super::xml::{Leaf, walk};
-use crate::read::areal::trace::{Areal, Heights};
+use crate::read::areal::trace::{Areal, ArealHeights};
 use crate::read::damage::{damaged, miscounted, not_a_number};
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
@@ -56,14 +56,14 @@ impl DataType {
 
 /// One axis of record 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct AxisRecord {
+struct X3pAxis {
     absolute: bool,
     data: DataType,
     increment: Option<f64>,
     offset: f64,
 }
 
-impl AxisRecord {
+impl X3pAxis {
     fn metres(&self, value: f64) -> f64 {
         value * self.increment.unwrap_or(1.0) + self.offset
     }
@@ -73,14 +73,14 @@ impl AxisRecord {
 #[derive(Debug, Default)]
 struct Main {
     feature: String,
-    axes: [AxisRecord; 3],
+    axes: [X3pAxis; 3],
     size: [Option<u64>; 3],
     list: Option<u64>,
     point_data: Option<String>,
     point_checksum: Option<String>,
     mask: Option<String>,
     /// Text data of the requested row: heights, and individual positions if the points have them.
-    text: Points,
+    text: X3pPoints,
     text_count: u64,
     broken_text: Option<String>,
     metadata: Metadata,
@@ -88,7 +88,7 @@ struct Main {
 
 /// Heights \[m\] and individual x \[m\], if the points have them.
 #[derive(Debug, Default)]
-struct Points {
+struct X3pPoints {
     x: Option<Vec<f64>>,
     z: Vec<f64>,
 }
@@ -138,7 +138,7 @@ pub(super) fn read(
 pub(super) fn surface(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadFault> {
     let found = matrix(stream, size, Wanted::FirstLayer)?;
     let spacings = found.spacings();
-    let heights = Heights::Values {
+    let heights = ArealHeights::Values {
         columns: found.main.points().unwrap_or(0) as usize,
         values: found.points.z,
     };
@@ -151,13 +151,13 @@ pub(super) fn surface(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadF
 }
 
 /// Points of the requested rows.
-struct Matrix {
+struct X3pMatrix {
     main: Main,
-    points: Points,
+    points: X3pPoints,
     warnings: Vec<Warning>,
 }
 
-impl Matrix {
+impl X3pMatrix {
     /// Positive increments along x and y; `None` for absolute axes.
     fn spacings(&self) -> [Option<f64>; 2] {
         [0, 1].map(|axis| {
@@ -168,7 +168,7 @@ impl Matrix {
     }
 }
 
-fn matrix(stream: &mut dyn Stream, size: u64, wanted: Wanted) -> Result<Matrix, ReadFault> {
+fn matrix(stream: &mut dyn Stream, size: u64, wanted: Wanted) -> Result<X3pMatrix, ReadFault> {
     let mut archive = Archive::open(FORMAT, stream, size)?;
     let name = archive.find("main.xml");
     let name = name.ok_or_else(|| damaged(FORMAT, "it holds no main.xml", ""))?;
@@ -188,7 +188,7 @@ fn matrix(stream: &mut dyn Stream, size: u64, wanted: Wanted) -> Result<Matrix, 
         Some(link) => binary(&mut archive, &folder, &link, &main, rows, &mut warnings)?,
         None => text(&mut main, rows)?,
     };
-    Ok(Matrix {
+    Ok(X3pMatrix {
         main,
         points,
         warnings,
@@ -304,7 +304,7 @@ fn chosen_rows(main: &Main, wanted: Wanted) -> Result<Range<u64>, ReadFault> {
     Ok(row..row + 1)
 }
 
-fn text(main: &mut Main, rows: Range<u64>) -> Result<Points, ReadFault> {
+fn text(main: &mut Main, rows: Range<u64>) -> Result<X3pPoints, ReadFault> {
     if let Some(seen) = &main.broken_text {
         return Err(not_a_number(FORMAT, seen));
     }
@@ -327,12 +327,12 @@ fn binary(
     main: &Main,
     rows: Range<u64>,
     warnings: &mut Vec<Warning>,
-) -> Result<Points, ReadFault> {
+) -> Result<X3pPoints, ReadFault> {
     let [x, y, z] = main.axes;
     let width = main.points().unwrap_or(0);
     let points = width.saturating_mul(rows.end - rows.start);
     // An absolute x and y precede z.
-    let width_of = |axis: AxisRecord| if axis.absolute { axis.data.width() } else { 0 };
+    let width_of = |axis: X3pAxis| if axis.absolute { axis.data.width() } else { 0 };
     let skipped = width_of(x) + width_of(y);
     let stride = skipped + z.data.width();
     let first = rows.start.checked_mul(width);
@@ -374,15 +374,14 @@ fn binary(
     });
     let heights = heights.collect();
     let place = |point: &[u8]| Some(x.metres(x.data.value(point.get(..x.data.width())?)?));
-    let x = match x.absolute {
-        true => {
-            let places: Option<Vec<f64>> = window.chunks_exact(stride).map(place).collect();
-            let finite = places.filter(|places| places.iter().all(|x| x.is_finite()));
-            Some(finite.ok_or_else(|| damaged(FORMAT, "a point has no x", link))?)
-        }
-        false => None,
+    let x = if x.absolute {
+        let places: Option<Vec<f64>> = window.chunks_exact(stride).map(place).collect();
+        let finite = places.filter(|places| places.iter().all(|x| x.is_finite()));
+        Some(finite.ok_or_else(|| damaged(FORMAT, "a point has no x", link))?)
+    } else {
+        None
     };
-    Ok(Points { x, z: heights })
+    Ok(X3pPoints { x, z: heights })
 }
 
 /// Full name of a linked member: links are relative to `main.xml`, and some start with "./".

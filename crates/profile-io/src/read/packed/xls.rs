@@ -183,13 +183,15 @@ impl<'a> Texts<'a> {
         let count = u16::from_le_bytes([self.byte()?, self.byte()?]);
         let state = self.byte()?;
         let mut is_wide = state & 1 != 0;
-        let runs = match state & 8 != 0 {
-            true => u16::from_le_bytes([self.byte()?, self.byte()?]),
-            false => 0,
+        let runs = if state & 8 != 0 {
+            u16::from_le_bytes([self.byte()?, self.byte()?])
+        } else {
+            0
         };
-        let extension = match state & 4 != 0 {
-            true => u32::from_le_bytes([self.byte()?, self.byte()?, self.byte()?, self.byte()?]),
-            false => 0,
+        let extension = if state & 4 != 0 {
+            u32::from_le_bytes([self.byte()?, self.byte()?, self.byte()?, self.byte()?])
+        } else {
+            0
         };
         let mut units = Vec::with_capacity(count.into());
         for _ in 0..count {
@@ -228,12 +230,14 @@ impl<'a> Texts<'a> {
 
 /// The number of an RK: with bit 0 a hundredth; with bit 1 a whole number, else the upper bits of a double.
 fn rk(bits: u32) -> f64 {
-    let number = match bits & 2 != 0 {
-        true => f64::from(bits.cast_signed() >> 2),
-        false => f64::from_bits(u64::from(bits & !3) << 32),
+    let number = if bits & 2 != 0 {
+        f64::from(bits.cast_signed() >> 2)
+    } else {
+        f64::from_bits(u64::from(bits & !3) << 32)
     };
-    match bits & 1 != 0 {
-        true => number / 100.0,
-        false => number,
+    if bits & 1 != 0 {
+        number / 100.0
+    } else {
+        number
     }
 }

@@ -39,7 +39,7 @@ impl Leaf<'_> {
 }
 
 /// One open element.
-struct Open {
+struct OpenElement {
     attributes: Vec<(String, String)>,
     text: String,
 }
@@ -50,7 +50,7 @@ pub(super) fn walk(stream: impl Read, mut leaf: impl FnMut(Leaf<'_>) -> bool) ->
     let mut reader = Reader::from_reader(BufReader::new(stream));
     let mut buffer = Vec::new();
     let mut path: Vec<String> = Vec::new();
-    let mut open: Vec<Open> = Vec::new();
+    let mut open: Vec<OpenElement> = Vec::new();
     loop {
         buffer.clear();
         match next(&mut reader, &mut buffer) {
@@ -59,7 +59,7 @@ pub(super) fn walk(stream: impl Read, mut leaf: impl FnMut(Leaf<'_>) -> bool) ->
                     return false;
                 }
                 path.push(element.local_name().as_ref().to_owned());
-                open.push(Open {
+                open.push(OpenElement {
                     attributes: attributes(&element),
                     text: String::new(),
                 });
