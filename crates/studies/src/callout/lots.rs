@@ -32,9 +32,9 @@ pub(super) const TOGETHER: usize = 16;
 pub(super) const OFFSETS: usize = 2;
 /// Ratio of Rq of both flanks up to which they have one recipe.
 const ALIKE: f64 = 1.25;
-/// Points of all periodic profiles of a recipe by the number of lots: half a million points, of 200 lots, have mean parameters with
-/// an error of 1.5 %, which losses and inspected traces have in common, so that it leaves the limit.
-const POINTS_OF_A_LOT: usize = 2500;
+/// Points of all periodic profiles of a recipe by the number of lots: a million points, of 200 lots, have mean parameters
+/// with an error of a percent.
+const POINTS_OF_A_LOT: usize = 5000;
 /// Fewest traces in them.
 const FEWEST_TRACES: usize = 32;
 /// Roughness parameter of a call-out.
@@ -191,6 +191,17 @@ impl Process {
     /// Values of each recipe.
     pub(super) fn values(&self) -> Vec<Values> {
         self.recipes.iter().map(|recipe| recipe.values).collect()
+    }
+
+    /// Variance of the mean of what differs from trace to trace over all pairs of the profiles, over its variance between pairs:
+    /// 2/N for N traces in the profiles of both flanks, 1/N for N in each of two recipes.
+    pub(super) fn variance_of_profiles(&self) -> f64 {
+        let inverse = |recipe: &Recipe| {
+            let points: usize = recipe.wholes.iter().map(Profile::len).sum();
+            recipe.points as f64 / points as f64
+        };
+        let sum = self.recipes.iter().map(inverse).sum::<f64>();
+        2.0 * sum / (self.recipes.len() as f64).powi(2)
     }
 
     /// The lots of these `numbers`, of which `count` traces of each recipe are inspected, on flanks that are in none of their

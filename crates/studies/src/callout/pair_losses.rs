@@ -39,8 +39,7 @@ impl RunLot {
 /// both flanks), ⟨f_k⟩ their mean over the 16 pairs, and a, b the regression over the K lots by least squares. The rest e_k of one
 /// pair stands for the mean over the rests of 16: it has √16 times its standard deviation, and 4 constants are fitted.
 ///
-/// Returns the mean loss of the pairs of each lot, L_k, and the standard error that their mean over the lots has beyond the
-/// scatter of the L_k \[W\], by the rests of the pairs that were run.
+/// Returns the mean loss of the pairs of each lot, L_k, and the standard deviation of the e_k \[W\].
 pub(super) fn losses_of_lots(run: &[RunLot]) -> (Vec<f64>, f64) {
     cite!("Call-out-pairs");
     let count = run.len() as f64;
@@ -71,9 +70,7 @@ pub(super) fn losses_of_lots(run: &[RunLot]) -> (Vec<f64>, f64) {
         predicted.sum::<f64>() + fitted * rest / (PAIRS as f64).sqrt()
     };
     let found = run.iter().zip(&rests).map(of_lot).collect();
-    let of_pair = fitted * (rests.norm_squared() / count).sqrt();
-    let left = 1.0 - 1.0 / PAIRS as f64;
-    (found, of_pair * (left / count).sqrt())
+    (found, fitted * (rests.norm_squared() / count).sqrt())
 }
 
 #[cfg(test)]
@@ -101,19 +98,15 @@ mod tests {
                 run.push(RunLot::new(pairs, losses[0]));
                 exact.push(mean(losses));
             }
-            let (found, error) = losses_of_lots(&run);
+            let (found, rest) = losses_of_lots(&run);
             // The scatter of the lots is that of the means over all pairs, 9.85 W with the rests of 16.
             let scatters = [&found, &exact].map(|losses| deviation(losses).unwrap());
             assert!(
                 (scatters[0] / scatters[1] - 1.0).abs() < 0.06,
                 "{scatters:?}"
             );
-            // 4 W times the root of 15/16 over 10.
-            assert!(
-                (error / (0.4 * 0.9375_f64.sqrt()) - 1.0).abs() < 0.3,
-                "{error}"
-            );
-            off.push((mean(found) - mean(exact)) / error);
+            assert!((rest / REST - 1.0).abs() < 0.3, "{rest}");
+            off.push((mean(found) - mean(exact)) / (rest * (0.9375_f64 / 100.0).sqrt()));
         }
         // Standard deviation of 40 standardised errors: 1 within three standard errors of 0.11.
         let spread = deviation(&off).unwrap();

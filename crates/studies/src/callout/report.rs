@@ -226,7 +226,7 @@ fn precision(study: &CallOut) -> String {
     let error = |row: &LimitRow| row.standard_error / row.limit;
     let largest = study.limits.iter().map(error).fold(0.0, f64::max);
     format!(
-        "The {} simulated lots leave a standard error of {:.1} % in the limit.",
+        "The {} simulated lots leave a standard error of {:.0} % in the limit.",
         study.lots,
         100.0 * largest
     )

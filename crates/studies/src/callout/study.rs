@@ -16,7 +16,7 @@ use asperity_report::{StudySettings, Watch, Work, settings};
 use serde::Serialize;
 
 use super::error;
-use super::lots::{Batch, OFFSETS, Process, RoughnessParameter, TOGETHER, Values};
+use super::lots::{Batch, OFFSETS, PAIRS, Process, RoughnessParameter, TOGETHER, Values};
 use super::pair_losses::{RunLot, losses_of_lots};
 use super::target::LossTarget;
 
@@ -268,27 +268,8 @@ fn of_process(
     };
     let first = process.batch(0..TOGETHER, 0)?;
     let mut curve = Curve::new(process, &first, settings.loss, &count)?;
-    let batches = (0..settings.lots).step_by(TOGETHER);
-    let batches: Vec<usize> = batches.collect();
-    let found = try_par_map(&batches, |begin| -> Result<_, Fault> {
-        let numbers = *begin..settings.lots.min(begin + TOGETHER);
-        let batch = process.batch(numbers, MOST_TRACES)?;
-        let losses = process.losses(&batch, curve.height)?;
-        let present = match settings.loss {
-            LossTarget::Of(_) => None,
-            _ if *begin >= COMPARED => None,
-            _ => Some(process.losses(&batch, 1.0)?),
-        };
-        count(batch.lots.len());
-        let lots = batch.lots.into_iter().zip(losses).enumerate();
-        let run = lots.map(|(k, (lot, loss_w))| RunLot {
-            lot,
-            loss_w,
-            present_w: present.as_ref().map(|losses| losses[k]),
-        });
-        Ok(run.collect::<Vec<_>>())
-    })?;
-    let met = MetLots::new(found.into_iter().flatten().collect(), &mut curve);
+    let found = lots_at(process, settings, curve.height, &count)?;
+    let met = MetLots::new(found, process.variance_of_profiles(), &mut curve);
     progress(runs, runs);
     let parameters = [0, 1, 2].map(|k| Evaluated::new(&met, k, settings));
     let best = |k: &usize| parameters[*k].quantile.deviation;
@@ -357,6 +338,36 @@ fn of_process(
         lots: settings.lots,
         seed: settings.seed,
     })
+}
+
+/// Losses of all lots at the height of the limit, and of the first ones at their own.
+fn lots_at(
+    process: &Process,
+    settings: &CallOutSettings,
+    height: f64,
+    count: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<RunLot>, Fault> {
+    let batches = (0..settings.lots).step_by(TOGETHER);
+    let batches: Vec<usize> = batches.collect();
+    let found = try_par_map(&batches, |begin| -> Result<_, Fault> {
+        let numbers = *begin..settings.lots.min(begin + TOGETHER);
+        let batch = process.batch(numbers, MOST_TRACES)?;
+        let losses = process.losses(&batch, height)?;
+        let present = match settings.loss {
+            LossTarget::Of(_) => None,
+            _ if *begin >= COMPARED => None,
+            _ => Some(process.losses(&batch, 1.0)?),
+        };
+        count(batch.lots.len());
+        let lots = batch.lots.into_iter().zip(losses).enumerate();
+        let run = lots.map(|(k, (lot, loss_w))| RunLot {
+            lot,
+            loss_w,
+            present_w: present.as_ref().map(|losses| losses[k]),
+        });
+        Ok(run.collect::<Vec<_>>())
+    })?;
+    Ok(found.into_iter().flatten().collect())
 }
 
 /// Powers of two up to the most traces, and `traces`.
@@ -464,8 +475,9 @@ impl Curve {
     }
 
     /// Moves the curve along the heights so that its loss at the height of the runs is `loss_w`, the mean of all lots; a change of
-    /// the loss of the recipe refers to these lots as well. Returns the standard error of the stated loss by `run` \[W\].
-    fn level(&mut self, loss_w: f64, run: &[RunLot]) -> f64 {
+    /// the loss of the recipe refers to these lots as well. Returns the standard deviation of this change between pairs \[W\] and
+    /// their number.
+    fn level(&mut self, loss_w: f64, run: &[RunLot]) -> Option<(f64, f64)> {
         let by = self.height.ln() - self.height_at(loss_w);
         for [ln_height, _] in &mut self.nodes {
             *ln_height += by;
@@ -474,15 +486,13 @@ impl Curve {
         let share = self.stated.watts(1.0) - change_w;
         let beyond = |run: &RunLot| Some(run.loss_w - share * run.present_w?);
         let beyond: Vec<f64> = run.iter().filter_map(beyond).collect();
-        let error = if beyond.is_empty() {
-            0.0
-        } else {
+        let found = (!beyond.is_empty()).then(|| {
             let [mean, deviation] = moments(&beyond);
             self.target = loss_w - mean + change_w;
-            deviation / (beyond.len() as f64).sqrt()
-        };
+            (deviation, beyond.len() as f64)
+        });
         self.height = self.height_at(self.target).exp();
-        error
+        found
     }
 
     /// Logarithm of the height with this loss, held at the ends of the curve.
@@ -532,19 +542,28 @@ struct MetLots {
 
 impl MetLots {
     /// The lots that were `run`; `curve` takes their level. The loss of a lot at another height is the loss of the curve at the
-    /// height that differs in the same ratio.
-    fn new(run: Vec<RunLot>, curve: &mut Curve) -> Self {
-        let (losses, error) = losses_of_lots(&run);
+    /// height that differs in the same ratio. `of_profiles` is the variance of the mean over all pairs of the profiles, over the
+    /// variance between pairs.
+    ///
+    /// The rests of the pairs that were run leave an error in the level of the lots. A stated change of the loss has the error
+    /// of this change instead, as its level is that of the lots.
+    fn new(run: Vec<RunLot>, of_profiles: f64, curve: &mut Curve) -> Self {
+        let (losses, rest_w) = losses_of_lots(&run);
         let ln_height = curve.height.ln();
-        let of_target = curve.level(mean(losses.iter().copied()), &run);
+        let change = curve.level(mean(losses.iter().copied()), &run);
         let wanted = ln_height + curve.height_at(curve.target);
+        let left = 1.0 - 1.0 / PAIRS as f64;
+        let (deviation_w, of_pairs) = match change {
+            Some((deviation_w, pairs)) => (deviation_w, 1.0 / pairs),
+            None => (rest_w, left / losses.len() as f64),
+        };
         let met = run.into_iter().zip(losses).map(|(run, loss)| MetLot {
             ln_height: wanted - curve.height_at(loss),
             inspected: run.lot.inspected,
         });
         Self {
             lots: met.collect(),
-            error: error.hypot(of_target) / curve.slope(),
+            error: deviation_w * (of_pairs + of_profiles).sqrt() / curve.slope(),
         }
     }
 }
