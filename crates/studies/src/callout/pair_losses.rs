@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn a_loss_of_the_parameters_and_a_rest_is_the_mean_of_all_pairs_within_its_error() {
         const REST: f64 = 4.0;
-        let mut off = Vec::new();
+        let (mut off, mut ratios) = (Vec::new(), Vec::new());
         for seed in 0..40 {
             let mut random = stream(seed, 0, false);
             let mut normal = || standard_normal_quantile(uniform(&mut random));
@@ -99,15 +99,14 @@ mod tests {
                 exact.push(mean(losses));
             }
             let (found, rest) = losses_of_lots(&run);
-            // The scatter of the lots is that of the means over all pairs, 9.85 W with the rests of 16.
             let scatters = [&found, &exact].map(|losses| deviation(losses).unwrap());
-            assert!(
-                (scatters[0] / scatters[1] - 1.0).abs() < 0.06,
-                "{scatters:?}"
-            );
+            ratios.push(scatters[0] / scatters[1]);
             assert!((rest / REST - 1.0).abs() < 0.3, "{rest}");
             off.push((mean(found) - mean(exact)) / (rest * (0.9375_f64 / 100.0).sqrt()));
         }
+        // The scatter of the lots is that of the means over all pairs, to the 3 % of a slope by 100 lots over the root of 40.
+        let ratio = mean(ratios);
+        assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
         // Standard deviation of 40 standardised errors: 1 within three standard errors of 0.11.
         let spread = deviation(&off).unwrap();
         assert!(
