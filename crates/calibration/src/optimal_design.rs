@@ -22,7 +22,7 @@ use crate::information::information;
 /// // A straight line over -1 .. 1: half of the points at either end.
 /// let row = |t: f64| DMatrix::from_row_slice(1, 2, &[1.0, t]);
 /// let candidates: Vec<_> = (0..=20).map(|k| row(-1.0 + 0.1 * f64::from(k))).collect();
-/// let mut chosen = d_optimal(&candidates, (6, 6), 2, &DMatrix::zeros(2, 2));
+/// let mut chosen = d_optimal(&candidates, 6, 6, 2, &DMatrix::zeros(2, 2));
 /// chosen.sort();
 /// assert_eq!(chosen, [0, 0, 0, 20, 20, 20]);
 /// ```
