@@ -20,19 +20,6 @@ pub(super) struct RunLot {
     pub present_w: Option<f64>,
 }
 
-#[cfg(test)]
-impl RunLot {
-    /// A lot without inspected traces.
-    pub(super) fn new(pairs: Vec<Values>, loss_w: f64) -> Self {
-        let inspected = Vec::new();
-        Self {
-            lot: Lot { inspected, pairs },
-            loss_w,
-            present_w: None,
-        }
-    }
-}
-
 /// ℓ_k1 = a + b·f_k1 + e_k,  L_k = a + b·⟨f_k⟩ + √(K/(K − 4)) e_k/√16                    `[Call-out-pairs]`
 ///
 /// ℓ_k1 \[W\] is the loss of the first pair of lot k, f_kp the logarithms of Rpk, Rq and Rdq of its pair p (root mean squares of
@@ -79,6 +66,18 @@ mod tests {
 
     use super::*;
     use crate::sweep::{stream, uniform};
+
+    impl RunLot {
+        /// A lot without inspected traces.
+        fn new(pairs: Vec<Values>, loss_w: f64) -> Self {
+            let inspected = Vec::new();
+            Self {
+                lot: Lot { inspected, pairs },
+                loss_w,
+                present_w: None,
+            }
+        }
+    }
 
     #[test]
     fn a_loss_of_the_parameters_and_a_rest_is_the_mean_of_all_pairs_within_its_error() {
