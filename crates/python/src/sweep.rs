@@ -18,7 +18,7 @@ impl Cases {
     /// Those of a study file.
     #[staticmethod]
     fn load(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
-        alone(py, || Ok(Self(Listed::of(Study::load(Path::new(&file))?)?)))
+        alone(py, || Ok(Self(Listed::new(Study::load(Path::new(&file))?)?)))
     }
 
     /// Those of a case with the other keys of a study in JSON.
@@ -26,7 +26,7 @@ impl Cases {
     fn of(py: Python<'_>, case: &Case, study: &str, folder: PathBuf) -> PyResult<Self> {
         let loaded = case.train().clone();
         alone(py, || {
-            Ok(Self(Listed::of(Study::of_case(loaded, study, &folder)?)?))
+            Ok(Self(Listed::new(Study::of_case(loaded, study, &folder)?)?))
         })
     }
 
