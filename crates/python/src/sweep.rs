@@ -18,7 +18,9 @@ impl Cases {
     /// Those of a study file.
     #[staticmethod]
     fn load(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
-        alone(py, || Ok(Self(Listed::new(Study::load(Path::new(&file))?)?)))
+        alone(py, || {
+            Ok(Self(Listed::new(Study::load(Path::new(&file))?)?))
+        })
     }
 
     /// Those of a case with the other keys of a study in JSON.
