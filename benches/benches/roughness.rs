@@ -51,7 +51,13 @@ fn parameters(c: &mut Criterion) {
     group.sample_size(20);
     for mode in [Mode::Iso4287, Mode::Iso21920] {
         group.bench_function(mode.to_string(), |b| {
-            b.iter(|| Parameters::from_profile(black_box(&prepared.profile), mode, Length::from_si(0.8e-3)));
+            b.iter(|| {
+                Parameters::from_profile(
+                    black_box(&prepared.profile),
+                    mode,
+                    Length::from_si(0.8e-3),
+                )
+            });
         });
     }
     group.finish();
