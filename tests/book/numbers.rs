@@ -58,19 +58,31 @@ const SOURCES: &[[&str; 4]] = &[
     ],
     [
         TRUST,
-        "18 of 28, or 22 with the errors of sampling",
+        "| first | 22 of 28 | 18 |",
         BLIND_TESTS,
         "18 of 28 were within their 90 % interval, or 22 with the errors of sampling",
     ],
     [
         TRUST,
-        "18 of 24 with the errors of sampling; 19 were required",
+        "| second | 18 of 24 | 13 |",
+        BLIND_TESTS,
+        "By the error of the model only it was 13",
+    ],
+    [
+        TRUST,
+        "the second required 19",
         BLIND_TESTS,
         "19 had to be within their 90 % interval. **The test failed**: 18 of 24",
     ],
     [
         TRUST,
-        "25 of 28 with the errors of sampling, 21 by the error of the model only",
+        "90 % of 28 are 25",
+        BLIND_TESTS,
+        "28 conditions on new traces",
+    ],
+    [
+        TRUST,
+        "| third, by others | 25 of 28 | 21 |",
         BLIND_TESTS,
         "With the errors of sampling 25 are within their 90 % interval, by the error of the model only 21",
     ],
@@ -88,6 +100,12 @@ const SOURCES: &[[&str; 4]] = &[
     ],
     [
         TRUST,
+        "wears 0.03 µm for a measured 0.5 to 4 (T14",
+        "tests/golden/evidence/gates.csv",
+        "1.7 GPa\",0.5 to 4 (ISO 6336-1: 2.0),measured,printed only,um,0.030",
+    ],
+    [
+        TRUST,
         "10 nm thick",
         BOUNDARY,
         "BOUNDARY_LAYER: Length = Length::from_si(10e-9)",
@@ -95,7 +113,7 @@ const SOURCES: &[[&str; 4]] = &[
     [TRUST, "λs = 2.5 µm", PREPARATION, LAMBDA_S],
     [
         TRUST,
-        "boundary part of 0.75",
+        "boundary share of 0.75",
         BOUNDARY,
         "INNER_BOUNDARY: f64 = 0.75;",
     ],
