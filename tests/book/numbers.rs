@@ -172,7 +172,6 @@ const SOURCES: &[[&str; 4]] = &[
         "crates/roughness/src/generate/pieces.rs",
         "LONG_WAVES: Length = Length::from_si(600e-6)",
     ],
-    [GENERATED, "shorter than 2.5 µm", PREPARATION, LAMBDA_S],
     [SCANS, "noise cut-off of 2.5 µm", PREPARATION, LAMBDA_S],
     [
         SCANS,

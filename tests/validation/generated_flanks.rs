@@ -114,7 +114,8 @@ fn cut_pairs(finish: finishes::Finish, seed: u64) -> Pairs {
         let after = truncated(&before, 0.2).unwrap().0;
         let after = after.slice(200..before.len()).unwrap();
         let found = relocate(&before, &after, Bounds::default()).ok()?;
-        Some(((before, after), (found.before, found.after)))
+        let [first, second] = found.as_measured(&before, &after).ok()?;
+        Some(((before, after), (first, second)))
     });
     let given = pairs.by_ref().take(GIVEN).map(|(measured, _)| measured);
     let (before, after) = given.unzip();

@@ -167,21 +167,38 @@ fn worn(before: &Profile) -> [Profile; 2] {
     [before.clone(), after.slice(200..before.len()).unwrap()]
 }
 
-/// Pairs left out are relocated as well, which takes the shortest waves off all.
+/// A flank in state 0 has the heights before the test, with all waves of the traces.
+#[test]
+fn flanks_in_the_state_before_a_test_are_not_filtered() {
+    let given = &traces(&honed())[0];
+    let after: Vec<Profile> = given.iter().map(|trace| worn(trace)[1].clone()).collect();
+    let slope = |like: &Like| {
+        let made = (1..=8).map(|seed| like.generate(seed).unwrap().generated.achieved.rdq);
+        mean(made.map(Option::unwrap))
+    };
+    let before = Like::of_stages(given, &after, State::of_one_stage(0.0).unwrap()).unwrap();
+    let like = Like::to(&given[0], &given[1..], Some(Method::Pieces)).unwrap();
+    let ratio = slope(&before) / slope(&like);
+    // Both take pieces of the same traces: the filter of the relocation would take off the shortest waves.
+    assert!((ratio - 1.0).abs() < 0.015, "{ratio}");
+}
+
+/// Pairs left out are relocated as well, and compared as they were measured.
 #[test]
 fn flanks_between_two_states_are_those_of_pairs_left_out() {
     let [given, left_out] = traces(&honed());
     let after: Vec<Profile> = given.iter().map(|trace| worn(trace)[1].clone()).collect();
     let left_out = left_out.iter().map(|before| {
         let [before, after] = worn(before);
-        relocate(&before, &after, Bounds::default()).unwrap()
+        let found = relocate(&before, &after, Bounds::default()).unwrap();
+        found.as_measured(&before, &after).unwrap()
     });
     let left_out: Vec<_> = left_out.collect();
     for state in [0.0, 0.5, 1.0] {
         let like = Like::of_stages(&given, &after, State::of_one_stage(state).unwrap()).unwrap();
         let made = (1..=8).map(|seed| parameters(&like.generate(seed).unwrap().generated.profile));
-        let kept = left_out.iter().map(|pair| {
-            let both = pair.before.heights().iter().zip(pair.after.heights());
+        let kept = left_out.iter().map(|[before, after]| {
+            let both = before.heights().iter().zip(after.heights());
             let heights = both.map(|(before, after)| before - state * (before - after));
             parameters(&Profile::new(DX, heights.collect()).unwrap())
         });

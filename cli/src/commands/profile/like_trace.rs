@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use asperity::flanks::statements::Statements;
+use asperity_core::quantity::Length;
 use asperity_core::{Code, Profile};
 use asperity_profile_io::read::{FilterState, Metadata};
 use asperity_report::Report;
@@ -17,11 +19,12 @@ use crate::output::print_report;
 
 /// Writes a trace like those that `args` name.
 pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
-    let mut warnings = Vec::new();
+    let (mut warnings, mut stated) = (Vec::new(), Vec::new());
     let mut read = |file: &Path| -> Result<Profile, Failure> {
         let reading = opened(file, &args.reading, None)?;
         let notes = reading.record.warnings.iter().map(Note::Read);
         warnings.extend(notes.map(|note| (note.code(), note.to_string())));
+        stated.push(Statements::from(&reading));
         Ok(reading.profile)
     };
     let mut all = |files: &[PathBuf]| -> Result<Vec<Profile>, Failure> {
@@ -53,7 +56,8 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
         Method::Spectrum => metadata,
     };
     let profile = to_digits(&made.generated.profile)?;
-    save(&args.output, &profile, &metadata, FilterState::Primary)?;
+    let (metadata, filtered) = filtered_as(&stated, metadata);
+    save(&args.output, &profile, &metadata, filtered)?;
     let output = args.output.display().to_string();
     let a = made.generated.achieved;
     let meaning = (made.method == Method::Pieces).then(|| {
@@ -83,6 +87,26 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
             .warning(warnings.iter().map(|(code, text)| format!("{code} {text}")))
     };
     print_report(common, json, report, None)
+}
+
+/// Filters that the traces went through, and their cut-offs, where all files state the same: a trace made of them went through no other.
+fn filtered_as(stated: &[Statements], metadata: Metadata) -> (Metadata, FilterState) {
+    let common = |of: fn(&Statements) -> Option<Length>| {
+        let mut all = stated.iter().map(of);
+        let first = all.next().flatten();
+        first.filter(|_| all.all(|other| other == first))
+    };
+    let metadata = Metadata {
+        lambda_c: common(|stated| stated.cutoffs[0]),
+        lambda_s: common(|stated| stated.cutoffs[1]),
+        ..metadata
+    };
+    let state = if stated.iter().all(Statements::is_roughness) {
+        FilterState::Roughness
+    } else {
+        FilterState::Primary
+    };
+    (metadata, state)
 }
 
 /// The state wanted, if there are traces after a test.
@@ -119,11 +143,7 @@ fn source(made: &MadeLike, traces: usize) -> String {
 
 /// The pieces, with their files.
 fn pieces(made: &MadeLike, args: &ProfileGenerateArgs, spacing: f64) -> serde_json::Value {
-    let um = |points: usize| {
-        um(asperity_core::quantity::Length::from_si(
-            points as f64 * spacing,
-        ))
-    };
+    let um = |points: usize| um(Length::from_si(points as f64 * spacing));
     let piece = |piece: &asperity_roughness::generate::Piece| {
         json!({
             "file": args.like.get(piece.trace), "from_um": um(piece.first), "length_um": um(piece.points),

@@ -8,8 +8,8 @@
 //! therefore decide all shorter waves and rare valleys.
 //!
 //! Of traces before a test and after one or several stages of it, which are relocated on the first, flanks are made in any state between:
-//! pieces are drawn from all traces of a place, and a part of the heights that were lost is taken off. Relocation leaves no waves
-//! shorter than 2.5 µm.
+//! pieces are drawn from all traces of a place, and a part of the heights that were lost is taken off. The heights are those measured,
+//! without the filter of the relocation.
 //!
 //! A trace of n points costs at most 16 · 441 m sums over an overlap for its m pieces, whatever the length of the traces given.
 //!
@@ -372,11 +372,15 @@ struct Stage {
 
 fn stage_of(before: &Profile, after: &Profile, spacing: Length) -> Result<Stage, Fault> {
     let found = relocate(before, after, Bounds::default())?;
-    let before = respaced(&found.before, spacing)?;
-    let after = respaced(&found.after, spacing)?;
+    // The filter of the relocation would act in addition to the filter of whoever evaluates the flank.
+    let [start, after] = found.as_measured(before, after)?;
+    let first = (found.start / before.spacing()).ceil();
+    let first = before.spacing() * first;
+    let before = respaced(&start, spacing)?;
+    let after = respaced(&after, spacing)?;
     let both = before.heights().iter().zip(after.heights());
     Ok(Stage {
-        start: found.start,
+        start: first,
         lost: both.map(|(before, after)| before - after).collect(),
         before,
     })
