@@ -166,12 +166,6 @@ const SOURCES: &[[&str; 4]] = &[
         "crates/roughness/src/generate/pieces.rs",
         "PIECE: [f64; 2] = [150e-6, 300e-6]",
     ],
-    [
-        GENERATED,
-        "longer than 0.6 mm",
-        "crates/roughness/src/generate/pieces.rs",
-        "LONG_WAVES: Length = Length::from_si(600e-6)",
-    ],
     [SCANS, "noise cut-off of 2.5 µm", PREPARATION, LAMBDA_S],
     [
         SCANS,

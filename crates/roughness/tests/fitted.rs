@@ -2,13 +2,15 @@
 #![allow(clippy::unwrap_used)]
 
 use asperity_core::Profile;
-use asperity_core::numerics::mean;
+use asperity_core::numerics::{deviation, mean};
 use asperity_core::quantity::Length;
 use asperity_roughness::Warning;
+use asperity_roughness::form::{Form, remove};
 use asperity_roughness::generate::{
     Ground, Like, Method, Pieces, SelfAffine, State, lower_envelope, truncated,
 };
 use asperity_roughness::relocation::{Bounds, relocate};
+use asperity_roughness::spectral::power_spectrum;
 
 use crate::common::compared::{NAMES, different, parameters};
 use crate::common::finishes::{self, FINISHES, made_like, seed_of};
@@ -260,5 +262,189 @@ fn flanks_between_stages_have_lost_what_was_cut() {
             .map(|(a, b)| b - a)
             .fold(0.0, f64::max);
         assert!(gained < 0.2 * lost(part), "{part}: {gained}");
+    }
+}
+
+/// Six honed traces, whose heights differ between teeth by a fifth or not at all.
+#[test]
+fn flanks_like_teeth_that_differ_differ_as_these() {
+    let honed = traces(&honed())[0].clone();
+    let like = |scatter: f64| {
+        let places =
+            [-1.27, 0.2, -0.64, 1.27, 0.64, -0.2].map(|place: f64| (scatter * place).exp());
+        let given = honed.iter().zip(places).map(|(trace, factor)| {
+            let heights = trace.heights().iter().map(|z| z * factor);
+            Profile::new(DX, heights.collect()).unwrap()
+        });
+        let given: Vec<_> = given.collect();
+        Like::to(&given[0], &given[1..], Some(Method::Pieces)).unwrap()
+    };
+    let spread = |like: &Like| {
+        let made = (1..=40).map(|seed| like.generate(seed).unwrap().generated.achieved);
+        let slopes: Vec<f64> = made.map(|made| made.rdq.unwrap().ln()).collect();
+        deviation(&slopes).unwrap()
+    };
+    let [equal, different] = [0.0, 0.2].map(like);
+    assert_eq!(equal.teeth.scatter.unwrap().value, 0.0);
+    let scatter = different.teeth.scatter.unwrap();
+    assert!(
+        scatter.low < 0.2 && scatter.high > 0.2 && scatter.low > 0.05,
+        "{scatter:?}"
+    );
+    // Of 40 teeth, one standard error is 11 %.
+    let within = spread(&equal);
+    let found = spread(&different) / scatter.value.hypot(within);
+    assert!(
+        (found - 1.0).abs() < 0.25 && within < 0.15,
+        "{found} {within}"
+    );
+    let one = Like::to(&honed[0], &[], Some(Method::Pieces)).unwrap();
+    assert_eq!(one.teeth.scatter, None);
+}
+
+/// The order of the pieces alone would lose a third of the waves of 0.4 to 0.6 mm.
+#[test]
+fn waves_longer_than_the_pieces_are_as_strong_as_measured() {
+    let given = traces(&affine(0.3e-6, 400e-6, 5))[0].clone();
+    let like = Like::to(&given[0], &given[1..], Some(Method::Pieces)).unwrap();
+    let power = |traces: &[Profile]| {
+        let each = traces.iter().map(|trace| {
+            let found = power_spectrum(&remove(trace, Form::Level).unwrap()).unwrap();
+            let at = |wave: f64| (1.0 / (wave * found.frequency_step)) as usize;
+            found.density[at(700e-6)..at(250e-6)].iter().sum::<f64>()
+        });
+        mean(each)
+    };
+    let made = (1..=60).map(|seed| like.generate(seed).unwrap().generated.profile);
+    let ratio = (power(&made.collect::<Vec<_>>()) / power(&given)).sqrt();
+    assert!((ratio - 1.0).abs() < 0.07, "{ratio}");
+}
+
+const SETS: usize = 25;
+const MADE: u64 = 24;
+const LEFT: usize = 200;
+
+/// Traces of teeth whose heights scatter by `teeth`, the standard deviation of their logarithm.
+fn of_teeth(finish: finishes::Finish, teeth: f64, count: usize, seed: u64) -> Vec<Profile> {
+    use asperity_core::numerics::standard_normal_quantile;
+    let each = finishes::traces(finish, count, seed)
+        .into_iter()
+        .enumerate();
+    let scaled = each.map(|(k, trace)| {
+        // A sequence of low discrepancy would scatter too little: hash of the number of the trace.
+        let mut x =
+            (seed << 20) + ((finish.0.len() as u64) << 50) + k as u64 + 0x9E37_79B9_7F4A_7C15;
+        for _ in 0..3 {
+            x = (x ^ (x >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+            x = (x ^ (x >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+            x ^= x >> 31;
+        }
+        let factor =
+            teeth * standard_normal_quantile(((x >> 11) as f64 + 0.5) / (1_u64 << 53) as f64);
+        let scaled = trace.heights().iter().map(|z| z * factor.exp()).collect();
+        Profile::new(trace.spacing(), scaled).unwrap()
+    });
+    scaled.collect()
+}
+
+#[test]
+#[ignore = "minutes; prints its table"]
+fn slow_scatter_of_generated_flanks() {
+    const SHOWN: [usize; 10] = [0, 1, 2, 11, 12, 13, 14, 7, 9, 17];
+    println!(
+        "finish | teeth | method | {}",
+        SHOWN.map(|k| NAMES[k]).join(" ")
+    );
+    for finish in FINISHES {
+        for teeth in [0.0, 0.2] {
+            let left: Vec<_> = of_teeth(finish, teeth, LEFT, 3)
+                .iter()
+                .map(parameters)
+                .collect();
+            let spread = |rows: &[[f64; 20]], k: usize| {
+                deviation(&rows.iter().map(|row| row[k]).collect::<Vec<_>>()).unwrap()
+            };
+            let (mut ratios, mut means) = (vec![Vec::new(); 20], vec![Vec::new(); 20]);
+            let mut method = Method::Pieces;
+            for set in 0..SETS {
+                let given = of_teeth(finish, teeth, 6, 100 + set as u64);
+                let like = Like::to(&given[0], &given[1..], None).unwrap();
+                method = like.method();
+                let made: Vec<_> = (1..=MADE)
+                    .map(|seed| {
+                        parameters(
+                            &like
+                                .generate(1000 * set as u64 + seed)
+                                .unwrap()
+                                .generated
+                                .profile,
+                        )
+                    })
+                    .collect();
+                let given: Vec<_> = given.iter().map(parameters).collect();
+                for k in 0..20 {
+                    ratios[k].push(spread(&made, k) / spread(&left, k));
+                    let of = |rows: &[[f64; 20]]| mean(rows.iter().map(|row| row[k]));
+                    means[k].push(of(&made) / of(&given));
+                }
+            }
+            let median = |k: usize| {
+                let mut all = ratios[k].clone();
+                all.sort_by(f64::total_cmp);
+                format!("{:.2}", 0.5 * (all[SETS / 2] + all[(SETS - 1) / 2]))
+            };
+            let of_mean = |k: usize| format!("{:.2}", mean(means[k].iter().copied()));
+            println!(
+                "{} | {teeth} | {method:?} | {} || {}",
+                finish.0,
+                SHOWN.map(median).join(" "),
+                SHOWN.map(of_mean).join(" ")
+            );
+        }
+    }
+}
+
+#[test]
+#[ignore = "minutes; prints its table"]
+fn slow_waves_of_generated_flanks() {
+    const ENDS: [f64; 8] = [20.0, 60.0, 150.0, 250.0, 400.0, 600.0, 1500.0, 3100.0];
+    let power = |traces: &[Profile]| -> Vec<f64> {
+        let spectra: Vec<_> = traces
+            .iter()
+            .map(|trace| power_spectrum(&remove(trace, Form::Level).unwrap()).unwrap())
+            .collect();
+        let band = |ends: &[f64]| {
+            let each = spectra.iter().map(|found| {
+                let lines = found.density.iter().enumerate().skip(1);
+                let within = lines.filter(|(k, _)| {
+                    let wave = 1e6 / (*k as f64 * found.frequency_step);
+                    wave >= ends[0] && wave < ends[1]
+                });
+                within.map(|(_, density)| density).sum::<f64>()
+            });
+            mean(each)
+        };
+        ENDS.windows(2).map(band).collect()
+    };
+    for finish in FINISHES {
+        let mut sums = vec![0.0; ENDS.len() - 1];
+        for set in 0..3 {
+            let given = finishes::traces(finish, 6, 500 + set);
+            let like = Like::to(&given[0], &given[1..], Some(Method::Pieces)).unwrap();
+            let made: Vec<_> = (1..=48)
+                .map(|seed| like.generate(100 * set + seed).unwrap().generated.profile)
+                .collect();
+            for (sum, (a, b)) in sums.iter_mut().zip(power(&made).iter().zip(power(&given))) {
+                *sum += (a / b).sqrt() / 3.0;
+            }
+        }
+        println!(
+            "{} | {}",
+            finish.0,
+            sums.iter()
+                .map(|r| format!("{r:.2}"))
+                .collect::<Vec<_>>()
+                .join(" ")
+        );
     }
 }

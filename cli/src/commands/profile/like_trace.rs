@@ -9,7 +9,7 @@ use asperity_profile_io::read::{FilterState, Metadata};
 use asperity_report::Report;
 use asperity_report::profile_json::um;
 use asperity_roughness::RoughnessError;
-use asperity_roughness::generate::{LONG_WAVES, Like, MadeLike, Method, Recipe, State, Surface};
+use asperity_roughness::generate::{Like, MadeLike, Method, Recipe, State, Surface};
 use serde_json::json;
 
 use super::evaluated::{Note, achieved, made_points, opened, save, synthetic, to_digits};
@@ -46,6 +46,9 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     if let Some(state) = state {
         source += &format!(" {state}");
     }
+    if let Some(words) = like.teeth.words() {
+        source += &format!(", {words}");
+    }
     let metadata = synthetic(args.seed);
     let metadata = match made.method {
         Method::Pieces => Metadata {
@@ -62,7 +65,7 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     let a = made.generated.achieved;
     let meaning = (made.method == Method::Pieces).then(|| {
         format!(
-            "{source}: waves up to {LONG_WAVES:.1} and rare valleys are those of the traces given; longer waves are random, with their spectrum"
+            "{source}: waves shorter than a piece and rare valleys are those of the traces given; longer waves have their power"
         )
     });
     let json = || {

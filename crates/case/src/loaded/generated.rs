@@ -68,8 +68,10 @@ pub(crate) fn generated(
         Method::Pieces => "pieces of them",
         Method::Spectrum => "their spectrum and heights",
     };
+    let teeth = like.teeth.words();
+    let teeth = teeth.map_or_else(String::new, |words| format!(", {words}"));
     let text = format!(
-        "{}: {count} flanks are generated from {count} traces ({of_what}); none was measured on this pair of gears",
+        "{}: {count} flanks are generated from {count} traces ({of_what}{teeth}); none was measured on this pair of gears",
         section.key("like")
     );
     warnings.push(Warning::new(Code::W463, text));

@@ -89,11 +89,27 @@ impl Fitted {
         Ok(Self {
             points: first.len(),
             spacing: first.spacing(),
-            spectrum: bands(&spectra),
+            spectrum: bands(&spectra, LINES),
             roughness: distribution(roughness, TAIL, INNER),
             waviness: distribution(waviness, TAIL, INNER),
             seed,
         })
+    }
+
+    /// The recipe with a `seed` and all heights times `factor`.
+    pub(super) fn times(&self, factor: f64, seed: u64) -> Self {
+        let scaled = |list: &[[f64; 2]], factor: f64| -> Vec<[f64; 2]> {
+            list.iter()
+                .map(|[at, value]| [*at, factor * value])
+                .collect()
+        };
+        Self {
+            spectrum: scaled(&self.spectrum, factor * factor),
+            roughness: scaled(&self.roughness, factor),
+            waviness: scaled(&self.waviness, factor),
+            seed,
+            ..self.clone()
+        }
     }
 
     /// Heights and spectrum of the fit with random phases: a part of a longer periodic profile.
@@ -263,8 +279,8 @@ fn check_list(name: &'static str, list: &[[f64; 2]]) -> Result<(), DomainError> 
     Ok(())
 }
 
-/// Mean densities of the spectra over bands of the lines of the first one.
-pub(super) fn bands(spectra: &[PowerSpectrum]) -> Vec<[f64; 2]> {
+/// Mean densities of the spectra over bands of at least `least` lines of the first one.
+pub(super) fn bands(spectra: &[PowerSpectrum], least: usize) -> Vec<[f64; 2]> {
     let Some(first) = spectra.first() else {
         return Vec::new();
     };
@@ -272,7 +288,7 @@ pub(super) fn bands(spectra: &[PowerSpectrum]) -> Vec<[f64; 2]> {
     let mut bands = Vec::new();
     let mut low = 1;
     while low < first.density.len() {
-        let high = (low + LINES).max((low as f64 * BAND) as usize);
+        let high = (low + least).max((low as f64 * BAND) as usize);
         let [from, to] = [low, high].map(|k| (k as f64 - 0.5) * step);
         let (mut sum, mut count) = (0.0, 0_usize);
         for spectrum in spectra {

@@ -10,7 +10,7 @@
 
 use asperity_core::numerics::range;
 use asperity_core::quantity::Length;
-use asperity_core::{Fault, Profile, cite};
+use asperity_core::{DomainError, Fault, Profile, cite};
 use serde::{Deserialize, Serialize};
 
 use super::achieved::Generated;
@@ -19,6 +19,7 @@ use super::fitted_surface::FittedSurface;
 use super::pieces::{Piece, Pieces};
 use super::state::State;
 use super::surface_pieces::{SurfacePiece, SurfacePieces};
+use super::teeth::{Teeth, times};
 use crate::Warning;
 use crate::autocorrelation::autocorrelation;
 use crate::error::RoughnessError;
@@ -46,6 +47,8 @@ pub enum Method {
 #[derive(Debug, Clone)]
 pub struct Like {
     maker: Maker,
+    /// Scatter between the teeth of the traces.
+    pub teeth: Teeth,
     /// Doubts about the traces.
     pub warnings: Vec<Warning>,
 }
@@ -226,11 +229,20 @@ impl Like {
             warnings.push(Warning::OneTrace { length });
         }
         warnings.extend(different(&traces));
+        let teeth = Teeth::of(&traces)?;
+        let each = traces.iter().enumerate();
+        let alike = each.map(|(k, trace)| teeth.levelled(k, trace));
+        let alike = alike.collect::<Result<Vec<_>, _>>()?;
+        let (first, others) = (&alike[0], &alike[1..]);
         let maker = match chosen {
             Method::Pieces => Maker::Pieces(Pieces::to(first, others)?),
             Method::Spectrum => Maker::Spectrum(Fitted::to(first, others, 0)?),
         };
-        Ok(Self { maker, warnings })
+        Ok(Self {
+            maker,
+            teeth,
+            warnings,
+        })
     }
 
     /// Prepares traces `before` a test for flanks in a `state` of it. `after` are the traces of the same places in the same order after
@@ -256,13 +268,25 @@ impl Like {
     /// # Ok::<(), asperity_core::Fault>(())
     /// ```
     pub fn of_stages(before: &[Profile], after: &[Profile], state: State) -> Result<Self, Fault> {
-        let pieces = Pieces::of_stages(before, after, state)?;
+        let rule = "must be one for each trace before the test and each stage";
+        let n = before.len();
+        let is_full = n > 0 && after.len() == n * state.stages();
+        let given = after.len() as f64;
+        DomainError::require(is_full, "number of traces after it", given, "-", rule)?;
         let traces = levelled(&before[0], &before[1..])?;
+        let teeth = Teeth::of(&traces)?;
+        let alike = |traces: &[Profile]| -> Result<Vec<Profile>, DomainError> {
+            let each = traces.iter().enumerate();
+            each.map(|(k, trace)| teeth.levelled(k % n, trace))
+                .collect()
+        };
+        let pieces = Pieces::of_stages(&alike(before)?, &alike(after)?, state)?;
         let one = (before.len() == 1).then(|| Warning::OneTrace {
             length: before[0].length(),
         });
         Ok(Self {
             maker: Maker::Pieces(pieces),
+            teeth,
             warnings: one.into_iter().chain(different(&traces)).collect(),
         })
     }
@@ -282,21 +306,25 @@ impl Like {
     /// When it would have too many points.
     pub fn generate(&self, seed: u64) -> Result<MadeLike, RoughnessError> {
         let method = self.method();
+        let factor = self.teeth.factor(seed);
+        let of_tooth = |made: Generated| -> Result<Generated, DomainError> {
+            if factor == 1.0 {
+                return Ok(made);
+            }
+            Ok(Generated::new(times(&made.profile, factor)?))
+        };
         Ok(match &self.maker {
             Maker::Pieces(pieces) => {
                 let made = pieces.generate(pieces.points(), seed)?;
                 MadeLike {
-                    generated: made.generated,
+                    generated: of_tooth(made.generated)?,
                     method,
                     pieces: made.pieces,
                     recipe: None,
                 }
             }
             Maker::Spectrum(fitted) => {
-                let recipe = Fitted {
-                    seed,
-                    ..fitted.clone()
-                };
+                let recipe = fitted.times(factor, seed);
                 MadeLike {
                     generated: recipe.generate()?,
                     method,

@@ -24,6 +24,7 @@ mod state;
 mod surface_like;
 mod surface_pieces;
 mod surrogate;
+mod teeth;
 
 pub use achieved::{Achieved, Generated};
 pub use damage::{Pits, Scratches};
@@ -42,3 +43,4 @@ pub use state::{State, state_words};
 pub use surface_like::surface_like;
 pub use surface_pieces::{PiecedSurface, SurfacePiece, SurfacePieces};
 pub use surrogate::{Finish, LAMBDA_S, Surrogate};
+pub use teeth::Teeth;

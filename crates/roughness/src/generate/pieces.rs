@@ -4,8 +4,8 @@
 //!
 //! A straight line and the waves longer than two pieces are removed from every trace. What is left is divided into pieces, and as many as the
 //! new trace needs are drawn. They follow each other in the order in which they fit best, each end moved by up to an overlap. No
-//! piece is drawn twice before all were. The long waves are a Gaussian profile with the spectrum that was removed. The traces given
-//! therefore decide all shorter waves and rare valleys.
+//! piece is drawn twice before all were. The order of the pieces loses a part of the waves longer than a piece: a Gaussian profile has the
+//! power that trial traces of pieces lack. The traces given therefore decide all shorter waves and rare valleys.
 //!
 //! Of traces before a test and after one or several stages of it, which are relocated on the first, flanks are made in any state between:
 //! pieces are drawn from all traces of a place, and a part of the heights that were lost is taken off. The heights are those measured,
@@ -18,9 +18,10 @@
 //! | z, z_c | last heights of the trace, heights before a drawn piece | m |
 //! | z_b, z_a | heights before a test and in a state of it | m |
 //! | Δ_i | heights lost until stage i; Δ₀ = 0 | m |
+//! | S_z, S_p, S_w | densities of the traces given, of trial traces of pieces, and of the waves that these lack | m³ |
 //! | s | part of the way from stage i to i + 1, in engagements n of a tooth | - |
 
-use asperity_core::numerics::good_fft_length;
+use asperity_core::numerics::{good_fft_length, interpolate};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Fault, Profile, cite};
 use serde::{Deserialize, Serialize};
@@ -31,10 +32,11 @@ use super::random::Random;
 use super::scaling::check_points;
 use super::state::State;
 use crate::error::RoughnessError;
-use crate::gaussian_filter::{Ends, mean_line, transmission};
+use crate::form::{self, Form};
+use crate::gaussian_filter::{Ends, mean_line};
 use crate::relocation::{Bounds, relocate};
 use crate::resampling::respaced;
-use crate::spectral::power_spectrum;
+use crate::spectral::{PowerSpectrum, power_spectrum};
 
 /// Shortest and longest piece \[m\].
 const PIECE: [f64; 2] = [150e-6, 300e-6];
@@ -49,6 +51,15 @@ const BATCH: usize = 16;
 /// Moves of an end to either side, and points compared over an overlap.
 const MOVES: usize = 10;
 const COMPARED: usize = 40;
+/// Trial traces whose waves are compared with those given, and most points of all of them.
+const TRIALS: usize = 24;
+const TRIAL_POINTS: usize = 200_000;
+/// Number of corrections of the waves that the pieces lack.
+const CORRECTIONS: usize = 2;
+/// Part of a density that counts as none.
+const NONE: f64 = 1e-4;
+/// Lines of a spectrum by one of a trace.
+const STEPS: f64 = 4.0;
 
 /// Measured traces to take pieces of.
 #[derive(Debug, Clone)]
@@ -60,7 +71,7 @@ pub struct Pieces {
     traces: Vec<Vec<f64>>,
     /// Heights \[m\] that each trace lost until the state; none without traces after a test.
     lost: Vec<Vec<f64>>,
-    /// Spectrum of the long waves, as [`Fitted::spectrum`](super::Fitted::spectrum).
+    /// Spectrum of the waves that the pieces lack, as [`Fitted::spectrum`](super::Fitted::spectrum).
     spectrum: Vec<[f64; 2]>,
     /// Points of the longest trace.
     longest: usize,
@@ -130,7 +141,7 @@ impl Pieces {
             "m",
             rule,
         )?;
-        let (mut traces, mut spectra, mut square) = (Vec::new(), Vec::new(), 0.0);
+        let (mut traces, mut spectra) = (Vec::new(), Vec::new());
         for level in levelled(first, others)? {
             if level.length() < LONG_WAVES {
                 return Err(RoughnessError::TooShort {
@@ -140,25 +151,81 @@ impl Pieces {
                 });
             }
             let line = mean_line(&level, LONG_WAVES, Ends::Reg1)?;
-            square += mean_square(&line);
             spectra.push(power_spectrum(&level)?);
             let short = level.heights().iter().zip(&line).map(|(z, w)| z - w);
             traces.push(short.collect::<Vec<f64>>());
         }
-        let mut spectrum = bands(&spectra);
-        for [frequency, density] in &mut spectrum {
-            let wavelength = Length::from_si(1.0 / (*frequency * MICRO));
-            *density *= transmission(wavelength, LONG_WAVES)?.powi(2);
-        }
-        Ok(Self {
+        let mut pieces = Self {
             spacing,
             points: first.len(),
             longest: traces.iter().map(Vec::len).max().unwrap_or_default(),
-            square: square / traces.len() as f64,
+            square: 0.0,
             traces,
             lost: Vec::new(),
+            spectrum: Vec::new(),
+        };
+        pieces.spectrum = pieces.missing(&spectra)?;
+        pieces.square = power(&pieces.spectrum, spacing, pieces.longest);
+        Ok(pieces)
+    }
+
+    /// Spectrum of the waves that the pieces lack against the `given` spectra, in the mean over trial traces of pieces only. Trial traces of
+    /// these waves show what a straight line and the window of a spectrum take from them.
+    ///
+    /// ```text
+    /// S_w = S_z max(1 − Σ S_p/Σ S_z, 0), sums over three bands, of waves longer than the mean piece             [Pieces-4]
+    /// ```
+    fn missing(&self, given: &[PowerSpectrum]) -> Result<Vec<[f64; 2]>, RoughnessError> {
+        cite!("Pieces-4");
+        let n = self.points;
+        let count = (TRIAL_POINTS / n).clamp(1, TRIALS) as u64;
+        let measured = |mut heights: Vec<f64>| {
+            heights.truncate(n);
+            let trial = Profile::new(self.spacing, heights)?;
+            power_spectrum(&form::remove(&trial, Form::Level)?)
+        };
+        let pieces = (0..count).map(|seed| measured(self.short(n, &mut Random::new(seed)).0));
+        let pieces = bands(&pieces.collect::<Result<Vec<_>, _>>()?, 1);
+        let given = bands(given, 1);
+        let last = given.len().min(pieces.len());
+        let near = |k: usize| k.saturating_sub(1)..(k + 2).min(last);
+        let sum = |of: &[[f64; 2]], k: usize| of[near(k)].iter().map(|band| band[1]).sum::<f64>();
+        let lacking = |k: usize| {
+            let [frequency, density] = given[k];
+            let is_long = frequency * MICRO * 0.5 * (PIECE[0] + PIECE[1]) < 1.0;
+            let part = (1.0 - sum(&pieces, k) / sum(&given, k)).clamp(NONE, 1.0);
+            [frequency, density * if is_long { part } else { NONE }]
+        };
+        let wanted: Vec<[f64; 2]> = (0..last).map(lacking).collect();
+        let mut spectrum = wanted.clone();
+        for _ in 0..CORRECTIONS {
+            let square = power(&spectrum, self.spacing, self.longest);
+            let waves = |seed| measured(self.long(&spectrum, square, n, &mut Random::new(seed))?);
+            let made = bands(&(0..count).map(waves).collect::<Result<Vec<_>, _>>()?, 1);
+            for (k, band) in spectrum.iter_mut().enumerate().take(made.len()) {
+                let ratio = sum(&wanted, k) / sum(&made, k).max(f64::MIN_POSITIVE);
+                band[1] *= ratio.clamp(0.5, 2.0);
+            }
+        }
+        Ok(spectrum)
+    }
+
+    /// Gaussian heights at `n` points at least, of the waves of a spectrum with this mean square \[m²\].
+    fn long(
+        &self,
+        spectrum: &[[f64; 2]],
+        square: f64,
+        n: usize,
+        random: &mut Random,
+    ) -> Result<Vec<f64>, DomainError> {
+        let parent = good_fft_length(parent_of(n.max(self.longest))?);
+        gaussian(
             spectrum,
-        })
+            (self.spacing, self.longest),
+            square,
+            parent,
+            random,
+        )
     }
 
     /// Prepares traces of one finish `before` a test for flanks in a `state` of it. `after` are the traces of the same places in the same
@@ -213,8 +280,7 @@ impl Pieces {
     pub fn generate(&self, points: usize, seed: u64) -> Result<Pieced, DomainError> {
         let n = check_points(points)?;
         let mut random = Random::new(seed);
-        let pieces = self.drawn(n, &mut random);
-        let mut heights = self.joined(&pieces, &self.traces);
+        let (mut heights, pieces) = self.short(n, &mut random);
         heights.truncate(n);
         if !self.lost.is_empty() {
             let lost = self.joined(&pieces, &self.lost);
@@ -222,15 +288,19 @@ impl Pieces {
         }
         // A flat profile has no long waves.
         if self.square > f64::EPSILON * mean_square(&heights) {
-            let parent = good_fft_length(parent_of(n.max(self.longest))?);
-            let waves = (self.spacing, self.longest);
-            let long = gaussian(&self.spectrum, waves, self.square, parent, &mut random)?;
+            let long = self.long(&self.spectrum, self.square, n, &mut random)?;
             heights.iter_mut().zip(long).for_each(|(z, w)| *z += w);
         }
         Ok(Pieced {
             generated: Generated::new(Profile::new(self.spacing, heights)?),
             pieces,
         })
+    }
+
+    /// At least `n` heights of pieces, and the pieces.
+    fn short(&self, n: usize, random: &mut Random) -> (Vec<f64>, Vec<Piece>) {
+        let pieces = self.drawn(n, random);
+        (self.joined(&pieces, &self.traces), pieces)
     }
 
     /// Points in a length \[m\].
@@ -360,6 +430,18 @@ impl Pieces {
         }
         heights
     }
+}
+
+/// Mean square \[m²\] of waves of a spectrum that are not longer than `points`.
+fn power(spectrum: &[[f64; 2]], spacing: Length, points: usize) -> f64 {
+    let step = 1.0 / (points as f64 * spacing.si() * MICRO * STEPS);
+    let logarithms = spectrum
+        .iter()
+        .map(|[f, density]| [f.ln(), density.max(f64::MIN_POSITIVE).ln()]);
+    let logarithms: Vec<_> = logarithms.collect();
+    let lines = STEPS as usize..=(0.5 * STEPS * points as f64) as usize;
+    let density = |k: usize| interpolate(&logarithms, (k as f64 * step).ln()).exp();
+    lines.map(density).sum::<f64>() * step / (MICRO * MICRO)
 }
 
 /// Heights of a place before a test, and lost until a stage of it, over the part that both traces have.
