@@ -349,7 +349,7 @@ fn of_teeth(finish: finishes::Finish, teeth: f64, count: usize, seed: u64) -> Ve
 
 #[test]
 #[ignore = "minutes; prints its table"]
-fn slow_scatter_of_generated_flanks() {
+fn scatter_of_generated_flanks() {
     const SHOWN: [usize; 10] = [0, 1, 2, 11, 12, 13, 14, 7, 9, 17];
     println!(
         "finish | teeth | method | {}",
@@ -406,7 +406,7 @@ fn slow_scatter_of_generated_flanks() {
 
 #[test]
 #[ignore = "minutes; prints its table"]
-fn slow_waves_of_generated_flanks() {
+fn waves_of_generated_flanks() {
     const ENDS: [f64; 8] = [20.0, 60.0, 150.0, 250.0, 400.0, 600.0, 1500.0, 3100.0];
     let power = |traces: &[Profile]| -> Vec<f64> {
         let spectra: Vec<_> = traces
